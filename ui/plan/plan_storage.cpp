@@ -15,6 +15,8 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace spherewalk::ui {
 
 namespace {
@@ -57,10 +59,10 @@ void PlanStorage::setSession(SurveySession* session) {
     }
     connect(session, &SurveySession::changed, this, [this](SurveySession::Changes what) {
         if (!m_isWriting && (what & (SurveySession::Plan | SurveySession::Photos))) {
-            read();
+            read(false);
         }
     });
-    read();
+    read(true);
 }
 
 /// Whether nobody may change the plan. The room of photos by hand may be drawn anew once their places are
@@ -71,7 +73,7 @@ bool PlanStorage::isLocked(const SurveyState& survey) const {
     return m_session->isReadOnly() || (isInUse && (!survey.isByHand() || survey.hasUnknownPlaces()));
 }
 
-void PlanStorage::read() {
+void PlanStorage::read(bool isOther) {
     const SurveyState& survey = m_session->state();
     const State state = isLocked(survey) ? State::Locked : State::Stored;
     PlanDraft draft{survey.room, survey.options,
@@ -84,9 +86,11 @@ void PlanStorage::read() {
     const bool isSameRoom = shown.room.outline == draft.room.outline &&
                             shown.room.obstacles == draft.room.obstacles &&
                             shown.room.ceilingM == draft.room.ceilingM;
-    const bool keepsShown = state == State::Locked || survey.isByHand(); // edits can be undone as before
-    if (keepsShown && m_state == state && isSameRoom && shown.byHand.size() == draft.byHand.size()) {
-        return;
+    const bool isSamePlaces = std::ranges::equal(shown.byHand, draft.byHand, {}, &survey::Station::positionM,
+                                                 &survey::Station::positionM);
+    const bool keepsShown = !isOther && (state == State::Locked || survey.isByHand());
+    if (keepsShown && m_state == state && isSameRoom && isSamePlaces) {
+        return; // edits can be undone as before
     }
     m_isReading = true;
     m_editor.setLocked(state == State::Locked);

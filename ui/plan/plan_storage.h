@@ -58,7 +58,8 @@ class PlanStorage : public QObject {
   private:
     void setState(State state);
     bool isLocked(const SurveyState& survey) const;
-    void read();
+    /// isOther: the survey was opened just now.
+    void read(bool isOther);
 
     PlanEditor& m_editor;
     QPointer<SurveySession> m_session;

@@ -133,6 +133,27 @@ TEST_F(PlanStorageTest, TheRoomOfPhotosByHandIsDrawnOnceTheirPlacesAreKnown) {
     EXPECT_EQ(editor.draft().room.outline, survey::unknownRoom().outline);
 }
 
+TEST_F(PlanStorageTest, AnotherSurveyOfTheSameRoomShowsItsOwnRails) {
+    openSurvey();
+    session->write(SurveySession::Photos, [](store::SurveyStore& store) {
+        store.beginShot(store.stations().front().id, "", {"", 0});
+    });
+    ASSERT_EQ(storage.state(), State::Locked);
+    const std::filesystem::path finer = folder / "finer.spherewalk";
+    {
+        survey::PlanOptions options = session->state().options;
+        options.stepM /= 2;
+        const survey::Room& room = session->state().room;
+        auto store = store::SurveyStore::create(finer, "finer", room, options, survey::plan(room, options));
+        store.beginShot(store.stations().front().id, "", {"", 0});
+    }
+    const auto other = SurveySession::open(QString::fromStdString(finer.string()));
+    storage.setSession(other.get());
+    EXPECT_EQ(storage.state(), State::Locked);
+    EXPECT_EQ(editor.draft().options.stepM, other->state().options.stepM);
+    storage.setSession(session.get());
+}
+
 TEST_F(PlanStorageTest, ANewSurveyNeedsAPlan) {
     storage.beginNew();
     editor.setOutline({{0, 0}, {4, 4}, {4, 0}, {0, 4}});
