@@ -9,8 +9,6 @@
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/photo/april_tag.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <utility>
 
@@ -157,13 +155,10 @@ namespace {
 std::vector<Eigen::Vector3d> clearPlaces(const PracticeRoom& room, double stepM, double lensHeightM) {
     constexpr double kClearM = 0.3;
     const RoomPlan plan = room.plan();
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& corner : plan.outline) {
-        box.extend(corner);
-    }
+    const Bounds2 around = bounds(plan.outline);
     std::vector<Eigen::Vector3d> places;
-    for (double y = box.min().y() + stepM; y < box.max().y(); y += stepM) {
-        for (double x = box.min().x() + stepM; x < box.max().x(); x += stepM) {
+    for (double y = around.least.y() + stepM; y < around.greatest.y(); y += stepM) {
+        for (double x = around.least.x() + stepM; x < around.greatest.x(); x += stepM) {
             const Eigen::Vector2d p(x, y);
             const bool isOnFloor = contains(plan.outline, p) &&
                                    std::ranges::none_of(plan.obstacles, [&](const Polygon& obstacle) {

@@ -30,9 +30,8 @@ struct PracticeCameraStats {
 /// Four paths are outside the camera's own API:
 /// - POST /practice/pose {"x": .., "y": .., "z": ..} moves the cart (metres, room frame); GET tells its
 /// place.
-/// - POST /practice/walk carries it to the next place of a walk through the room, or to that of the next
-/// given
-///   photo, and answers {"moved": false} at the end.
+/// - POST /practice/walk carries it to the next place of a walk through the room, or of the given photos,
+/// and answers {"moved": false} at the end.
 /// - GET /practice/stats tells the PracticeCameraStats.
 /// - POST /practice/faults {"fault": "drop-before-executing", "on": "camera.takePicture", "skip": 0, "count":
 ///   1, "byte": 0, "amount": 0, "code": ""} arms a fault (see Fault). An array of such objects arms a script
