@@ -52,6 +52,31 @@ void addForest(const Likeness& alike, PairSet& pairs) {
     }
 }
 
+/// Looks at so many features of all pairs of the chosen photos that do not look alike yet. Votes are told as
+/// if the first look had found them.
+void look(std::span<const Features> photos, const RetrievalOptions& options, int features,
+          const std::vector<bool>& isChosen, Likeness& alike, ProgressSink& progress,
+          const std::stop_token& stop) {
+    MatchOptions match = options.match;
+    match.firstLook = features;
+    std::mutex mutex;
+    int done = 0;
+    parallelFor(alike.photos(), 1, options.threads, [&](int a, int /*end*/) {
+        throwIfStopped(stop);
+        for (int b = a + 1; b < alike.photos(); ++b) {
+            const auto inA = static_cast<std::size_t>(a);
+            const auto inB = static_cast<std::size_t>(b);
+            if ((isChosen[inA] || isChosen[inB]) && alike.votes(a, b) == 0) {
+                const auto rotation = coarseRotation(photos[inA], photos[inB], match);
+                const int votes = rotation ? rotation->votes * options.match.firstLook / features : 0;
+                alike.set(a, b, rotation ? std::max(1, votes) : 0);
+            }
+        }
+        const std::scoped_lock lock(mutex);
+        progress.progress(static_cast<double>(++done) / alike.photos(), "Looking for photos that look alike");
+    });
+}
+
 } // namespace
 
 void RetrievalOptions::validate() const {
@@ -59,25 +84,23 @@ void RetrievalOptions::validate() const {
     require(partners >= 1 && partners <= 1000, "retrieval's", "partners", "from 1 to 1000");
     require(exhaustive >= 0 && exhaustive <= 1000, "retrieval's", "exhaustive", "from 0 to 1000");
     require(bridges >= 1 && bridges <= 1000, "retrieval's", "bridges", "from 1 to 1000");
+    require(fewAlike >= 0 && fewAlike <= 1000, "retrieval's", "fewAlike", "from 0 to 1000");
+    require(secondLook >= 50 && secondLook <= 50000, "retrieval's", "secondLook", "from 50 to 50000");
 }
 
 Likeness likeness(std::span<const Features> photos, const RetrievalOptions& options, ProgressSink& progress,
                   const std::stop_token& stop) {
     options.validate();
-    const int count = static_cast<int>(photos.size());
-    Likeness alike(count);
-    std::mutex mutex;
-    int done = 0;
-    parallelFor(count, 1, options.threads, [&](int a, int /*end*/) {
-        throwIfStopped(stop);
-        for (int b = a + 1; b < count; ++b) {
-            const auto rotation = coarseRotation(photos[static_cast<std::size_t>(a)],
-                                                 photos[static_cast<std::size_t>(b)], options.match);
-            alike.set(a, b, rotation ? rotation->votes : 0);
-        }
-        const std::scoped_lock lock(mutex);
-        progress.progress(static_cast<double>(++done) / count, "Looking for photos that look alike");
-    });
+    Likeness alike(static_cast<int>(photos.size()));
+    ProgressStep first(progress, 0, 0.7);
+    look(photos, options, options.match.firstLook, std::vector<bool>(photos.size(), true), alike, first,
+         stop);
+    std::vector<bool> again;
+    for (int photo = 0; photo < alike.photos(); ++photo) {
+        again.push_back(static_cast<int>(mostAlike(alike, photo).size()) < options.fewAlike);
+    }
+    ProgressStep second(progress, 0.7, 1);
+    look(photos, options, std::max(options.match.firstLook, options.secondLook), again, alike, second, stop);
     return alike;
 }
 

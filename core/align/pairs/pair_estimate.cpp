@@ -88,36 +88,66 @@ PairVerdict verdictOf(const EpipolarFit& fit, int rivalInliers, const PairEstima
     return rivalInliers > kRival * fit.inliers ? PairVerdict::NoAgreement : PairVerdict::Constraint;
 }
 
-struct Fits {
-    EpipolarFit best;
-    int rivalInliers = 0;
+constexpr double kClearShare = 0.6; // Where so many agree, nothing better is hidden.
+constexpr double kSameMinimumRad = 0.05;
+constexpr double kAnotherAnswerRad = 0.21;
+
+/// The best fit of several starts, and how many matches a rival has that explains them otherwise.
+class Fits {
+  public:
+    explicit Fits(const Bearings& bearings) : m_bearings(bearings) {}
+
+    /// rivalRad: fits that are nearer to each other are no rivals.
+    void start(const Eigen::Matrix3d& aFromB, double rivalRad) {
+        EpipolarFit fit = refineEpipolar(m_bearings, aFromB);
+        if (isMirrored(fit) && m_best.inliers > 0 && !isMirrored(m_best)) {
+            return;
+        }
+        const bool isBetter =
+            fit.inliers > m_best.inliers || (isMirrored(m_best) && !isMirrored(fit) && !isChance(fit));
+        // Two starts may end in one minimum, which is no rival.
+        const bool isSame = Eigen::AngleAxisd(fit.aFromB * m_best.aFromB.transpose()).angle() < rivalRad;
+        EpipolarFit& other = isBetter ? m_best : fit;
+        if (!isSame && !isMirrored(other)) {
+            m_rivalInliers = std::max(m_rivalInliers, other.inliers);
+        }
+        if (isBetter) {
+            m_best = std::move(fit);
+        }
+    }
+
+    const EpipolarFit& best() const { return m_best; }
+
+    int rivalInliers() const { return m_rivalInliers; }
+
+  private:
+    const Bearings& m_bearings;
+    EpipolarFit m_best;
+    int m_rivalInliers = 0;
 };
 
-Fits bestFit(const Bearings& bearings) {
-    Fits fits;
+Fits fitsOf(const Bearings& bearings, const Eigen::Quaterniond& levelA, const Eigen::Quaterniond& levelB) {
+    Fits fits(bearings);
     double firstScore = 0;
     for (const RotationHypothesis& hypothesis : rotationHypotheses(bearings)) {
         firstScore = std::max(firstScore, hypothesis.score);
         if (hypothesis.score < 0.4 * firstScore) {
             break; // The hypotheses that follow have less.
         }
-        EpipolarFit fit = refineEpipolar(bearings, hypothesis.aFromB);
-        if (isMirrored(fit) && fits.best.inliers > 0 && !isMirrored(fits.best)) {
-            continue;
-        }
-        const bool isBetter =
-            fit.inliers > fits.best.inliers || (isMirrored(fits.best) && !isMirrored(fit) && !isChance(fit));
-        // Two starts may end in one minimum, which is no rival.
-        const bool isSame = Eigen::AngleAxisd(fit.aFromB * fits.best.aFromB.transpose()).angle() < 0.05;
-        EpipolarFit& other = isBetter ? fits.best : fit;
-        if (!isSame && !isMirrored(other)) {
-            fits.rivalInliers = std::max(fits.rivalInliers, other.inliers);
-        }
-        if (isBetter) {
-            fits.best = std::move(fit);
+        fits.start(hypothesis.aFromB, kSameMinimumRad);
+    }
+    if (fits.best().inliers < kClearShare * bearings.count()) {
+        for (const RotationHypothesis& hypothesis : levelHypotheses(bearings, levelA, levelB)) {
+            fits.start(hypothesis.aFromB, kAnotherAnswerRad);
         }
     }
     return fits;
+}
+
+/// The turn that makes this photo level, as far as that is known.
+Eigen::Quaterniond levelOf(int photo, const PairOptions& options) {
+    const auto i = static_cast<std::size_t>(photo);
+    return i < options.levelFromPhoto.size() ? options.levelFromPhoto[i] : Eigen::Quaterniond::Identity();
 }
 
 } // namespace
@@ -131,8 +161,8 @@ PairEstimate estimatePair(const PhotoPair& pair, const PairOptions& options) {
     if (bearings.count() < std::max(options.leastInliers, 6)) {
         return estimate;
     }
-    const Fits fits = bestFit(bearings);
-    const EpipolarFit& fit = fits.best;
+    const Fits fits = fitsOf(bearings, levelOf(pair.a, options), levelOf(pair.b, options));
+    const EpipolarFit& fit = fits.best();
     if (fit.isInlier.empty()) {
         return estimate;
     }
@@ -150,7 +180,7 @@ PairEstimate estimatePair(const PhotoPair& pair, const PairOptions& options) {
         estimate.baselineSigmaRad = fit.baselineSigmaRad;
         estimate.forwardShare = fit.forwardShare;
     }
-    estimate.verdict = verdictOf(fit, fits.rivalInliers, estimate, options);
+    estimate.verdict = verdictOf(fit, fits.rivalInliers(), estimate, options);
     return estimate;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <vector>
 
@@ -27,6 +27,14 @@ struct RotationHypothesis {
 /// They differ by at least 12 degrees and are right to a few degrees, since parallax is taken for noise.
 /// Empty for fewer than two matches.
 std::vector<RotationHypothesis> rotationHypotheses(const Bearings& bearings);
+
+/// The rotations about the vertical with which most matches lie in planes with one baseline, and in front;
+/// the best comes first. Parallax may be of any size here, and one right match in six is enough; but both
+/// photos must be level to about 2 degrees after these turns. They differ by at least 9 degrees. Empty for
+/// fewer than six matches. Source: three matches with a common vertical, Fraundorfer, Tanskanen, Pollefeys
+/// 2010.
+std::vector<RotationHypothesis> levelHypotheses(const Bearings& bearings, const Eigen::Quaterniond& levelA,
+                                                const Eigen::Quaterniond& levelB);
 
 /// A rotation and a direction of the baseline, fitted to matches.
 struct EpipolarFit {

@@ -3,10 +3,15 @@
 #include "pairs/pair_geometry.h"
 
 #include "spherewalk/base/fixed_random.h"
+#include "spherewalk/geometry/rotation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <optional>
+#include <span>
 
 namespace spherewalk::align {
 
@@ -132,6 +137,143 @@ std::vector<RotationHypothesis> rotationHypotheses(const Bearings& bearings) {
     }
     std::ranges::stable_sort(candidates, scoresMore);
     return distinct(candidates);
+}
+
+namespace {
+
+constexpr int kLevelDraws = 600;      // One right match in six is enough: three right ones are drawn twice.
+constexpr int kLevelScored = 200;     // Number of matches that score a hypothesis.
+constexpr int kYaws = 18;             // Between two of these the volume of three planes has one root at most.
+constexpr std::size_t kLevelKept = 3; // Number of hypotheses that are handed on.
+constexpr double kWithin = 0.037;     // Planes are as wrong as levels: 2 degrees.
+constexpr double kLeastCosine = 0.8;
+constexpr double kLevelDistinctRad = 0.15;
+constexpr double kStillRad = 0.01; // Lesser parallax tells nothing about what lies in front.
+
+using Three = std::array<std::size_t, 3>;
+
+/// The normals of the planes in which three matches moved, for one yaw of b against a.
+std::array<Eigen::Vector3d, 3> planes(const Bearings& level, const Three& drawn, double yawRad) {
+    const Eigen::Matrix3d turned = yawRotation(Radians(yawRad)).toRotationMatrix();
+    std::array<Eigen::Vector3d, 3> normals;
+    for (std::size_t i = 0; i < 3; ++i) {
+        normals[i] = (turned * level.inB[drawn[i]]).cross(level.inA[drawn[i]]);
+    }
+    return normals;
+}
+
+/// Zero where the three planes share a line, which is the baseline.
+double volume(const Bearings& level, const Three& drawn, double yawRad) {
+    const auto normals = planes(level, drawn, yawRad);
+    return normals[0].cross(normals[1]).dot(normals[2]);
+}
+
+/// A root between two yaws whose volumes have opposite signs.
+double rootBetween(const Bearings& level, const Three& drawn, double lowRad, double highRad) {
+    const bool isNegative = volume(level, drawn, lowRad) < 0;
+    for (int round = 0; round < 8; ++round) {
+        const double middle = (lowRad + highRad) / 2;
+        ((volume(level, drawn, middle) < 0) == isNegative ? lowRad : highRad) = middle;
+    }
+    return (lowRad + highRad) / 2;
+}
+
+/// The line that the planes share, the best of three.
+Eigen::Vector3d lineOf(const std::array<Eigen::Vector3d, 3>& normals) {
+    Eigen::Vector3d line = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector3d one = normals[i].cross(normals[(i + 1) % 3]);
+        line = one.squaredNorm() > line.squaredNorm() ? one : line;
+    }
+    return line;
+}
+
+/// The share of the matches looked at that lie in a plane with the baseline and in front, the nearer the
+/// more.
+double score(const Bearings& level, std::span<const int> looked, const Eigen::Matrix3d& aFromB,
+             const Eigen::Vector3d& baseline) {
+    double ahead = 0;
+    double behind = 0;
+    for (const int at : looked) {
+        const auto i = static_cast<std::size_t>(at);
+        const Eigen::Vector3d& inA = level.inA[i];
+        const Eigen::Vector3d turnedB = aFromB * level.inB[i];
+        if (inA.dot(turnedB) < kLeastCosine) {
+            continue;
+        }
+        const EpipolarResidual residual = epipolarResidual(inA, turnedB, baseline, kWithin);
+        const double agreement = 1 - residual.value * residual.value;
+        if (agreement > 0) {
+            const double parallax = parallaxOf(inA, turnedB, baseline);
+            ahead += parallax > -kStillRad ? agreement : 0;
+            behind += parallax < kStillRad ? agreement : 0;
+        }
+    }
+    return std::max(ahead, behind) / static_cast<double>(looked.size());
+}
+
+void tryThree(const Bearings& level, std::span<const int> looked, const Three& drawn,
+              std::vector<RotationHypothesis>& found) {
+    constexpr double kStepRad = 2 * std::numbers::pi / kYaws;
+    double before = volume(level, drawn, 0);
+    for (int step = 1; step <= kYaws; ++step) {
+        const double here = volume(level, drawn, step * kStepRad);
+        if (before * here < 0) {
+            const double yawRad = rootBetween(level, drawn, (step - 1) * kStepRad, step * kStepRad);
+            const Eigen::Vector3d line = lineOf(planes(level, drawn, yawRad));
+            if (line.norm() > 1e-6) {
+                const Eigen::Matrix3d aFromB = yawRotation(Radians(yawRad)).toRotationMatrix();
+                found.push_back({aFromB, score(level, looked, aFromB, line.normalized())});
+            }
+        }
+        before = here;
+    }
+}
+
+std::vector<RotationHypothesis> bestOf(std::vector<RotationHypothesis> found) {
+    std::ranges::stable_sort(found, std::greater<>(), &RotationHypothesis::score);
+    std::vector<RotationHypothesis> kept;
+    for (const RotationHypothesis& one : found) {
+        const bool isNew = std::ranges::none_of(kept, [&](const RotationHypothesis& other) {
+            return Eigen::AngleAxisd(one.aFromB * other.aFromB.transpose()).angle() < kLevelDistinctRad;
+        });
+        if (isNew && kept.size() < kLevelKept) {
+            kept.push_back(one);
+        }
+    }
+    return kept;
+}
+
+} // namespace
+
+std::vector<RotationHypothesis> levelHypotheses(const Bearings& bearings, const Eigen::Quaterniond& levelA,
+                                                const Eigen::Quaterniond& levelB) {
+    if (bearings.count() < 6) {
+        return {};
+    }
+    Bearings level = bearings;
+    for (Eigen::Vector3d& bearing : level.inA) {
+        bearing = levelA * bearing;
+    }
+    for (Eigen::Vector3d& bearing : level.inB) {
+        bearing = levelB * bearing;
+    }
+    FixedRandom random(0x5EED0003);
+    std::vector<int> looked = random.permutation(bearings.count());
+    looked.resize(std::min<std::size_t>(looked.size(), kLevelScored));
+    std::vector<RotationHypothesis> found;
+    const auto count = static_cast<std::size_t>(bearings.count());
+    for (int draw = 0; draw < kLevelDraws; ++draw) {
+        const Three drawn = {random.below(count), random.below(count), random.below(count)};
+        if (drawn[0] != drawn[1] && drawn[0] != drawn[2] && drawn[1] != drawn[2]) {
+            tryThree(level, looked, drawn, found);
+        }
+    }
+    std::vector<RotationHypothesis> best = bestOf(std::move(found));
+    for (RotationHypothesis& one : best) {
+        one.aFromB = (levelA.inverse() * Eigen::Quaterniond(one.aFromB) * levelB).toRotationMatrix();
+    }
+    return best;
 }
 
 } // namespace spherewalk::align

@@ -177,6 +177,9 @@ class AlignRun {
     std::vector<align::PairEstimate> estimates(const std::vector<align::PhotoPair>& pairs) const {
         align::PairOptions options;
         options.threads = m_options.threads;
+        for (const align::PhotoPrior& prior : m_priors) {
+            options.levelFromPhoto.push_back(prior.levelFromPhoto.value_or(Eigen::Quaterniond::Identity()));
+        }
         std::vector<align::PairEstimate> made = align::estimatePairs(pairs, options);
         throwIfStopped(m_stop);
         return made;

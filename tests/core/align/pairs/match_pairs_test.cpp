@@ -3,6 +3,7 @@
 #include "made/noise_photo.h"
 #include "random.h"
 
+#include "spherewalk/align/free_places.h"
 #include "spherewalk/align/match_pairs.h"
 #include "spherewalk/practice/practice_room.h"
 
@@ -102,6 +103,27 @@ TEST(Match, SeesTheRotationOfTwoPhotosOfOnePlace) {
         });
         EXPECT_GT(static_cast<double>(right), 0.95 * static_cast<double>(matches.size())) << degrees;
     }
+}
+
+/// White walls and a long step: the strongest features of either photo are not among those of the other.
+TEST(Retrieval, LooksAgainAtPhotosThatFewOthersLookLike) {
+    test::Random random(8);
+    SCOPED_TRACE(random.seed());
+    const Features shared = made(directions(600, random), random);
+    const auto behindOthers = [&](const Eigen::Quaterniond& rotation) {
+        Features photo = made(directions(400, random), random);
+        const Features seen = turned(shared, rotation);
+        photo.bearings.insert(photo.bearings.end(), seen.bearings.begin(), seen.bearings.end());
+        photo.sigmasRad.resize(1000, 1e-3F);
+        photo.responses.resize(1000, 1);
+        photo.descriptors.insert(photo.descriptors.end(), seen.descriptors.begin(), seen.descriptors.end());
+        return photo;
+    };
+    const std::vector<Features> photos = {behindOthers(yaw(20)), behindOthers(yaw(80))};
+    RetrievalOptions once;
+    once.fewAlike = 0;
+    EXPECT_EQ(likeness(photos, once, noProgress(), {}).votes(0, 1), 0);
+    EXPECT_GT(likeness(photos, {}, noProgress(), {}).votes(0, 1), 50);
 }
 
 /// A room that looks alike to four sides must not be taken for one turned by a quarter.

@@ -109,6 +109,29 @@ TEST(PairEstimate, SaysHowFarItErrs) {
     EXPECT_LT(std::sqrt(baselineSquares / count), 1.6);
 }
 
+// Real photos two metres apart: near things move by 20 degrees and more, and most matches are wrong.
+TEST(PairEstimate, FindsRotationsOfLongStepsFromAFewRightMatches) {
+    int right = 0;
+    for (int seed = 1; seed <= 40; ++seed) {
+        SyntheticSurveyOptions options = seededPairs(seed);
+        options.wrongShare = 0.65;
+        options.mostMatches = 100;
+        const Eigen::Vector3d offset(1.5 * std::cos(seed), 1.5 * std::sin(seed), 0);
+        const Eigen::Quaterniond roomFromB = attitude(seed * 97.0, seed % 9, -7);
+        const SyntheticPair made = syntheticPair(options, offset, roomFromB);
+        PairOptions stated;
+        // What a photo says of its tilt, a degree off.
+        stated.levelFromPhoto = {attitude(0, 0.7, 0.7) * roomFromB * made.aFromB.conjugate(),
+                                 attitude(0, -0.7, 0.7) * roomFromB};
+        for (Eigen::Quaterniond& level : stated.levelFromPhoto) {
+            level = yawRotation(Degrees(seed * 31.0)) * level;
+        }
+        const PairEstimate estimate = estimatePair(made.pair, stated);
+        right += estimate.verdict == PairVerdict::Constraint && errorOf(estimate, made) < 0.5 * kPairDegree;
+    }
+    EXPECT_GE(right, 35);
+}
+
 TEST(PairEstimate, FollowsSigmasThatAreWrong) {
     for (const double factor : {0.4, 2.5}) {
         double squares = 0;

@@ -78,6 +78,9 @@ struct PairOptions {
     int leastInliers = 15;
     double leastShare = 0.15; ///< A mirror image reaches a share of 0.14 by chance.
     int threads = 0;          ///< 0 means all that the machine has.
+    /// Turns each photo upright, as far as that is known; empty if all stand upright. It shows where to look
+    /// for the rotation. What is found rests on the matches alone.
+    std::vector<Eigen::Quaterniond> levelFromPhoto = {};
 };
 
 /// The rotation and the baseline that most matches of the pair agree on. The same input gives the same
