@@ -2097,6 +2097,10 @@
         <source>Where the photos were taken is not known yet: %1</source>
         <translation>Wo die Fotos aufgenommen wurden, ist noch nicht bekannt: %1</translation>
     </message>
+    <message>
+        <source>The position tags are stated to be too rough for any other.</source>
+        <translation>Die Ortsangaben gelten als zu ungenau für jedes andere.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -2107,6 +2107,10 @@
         <source>Where the photos were taken is not known yet: %1</source>
         <translation>Nie wiadomo jeszcze, gdzie zrobiono zdjęcia: %1</translation>
     </message>
+    <message>
+        <source>The position tags are stated to be too rough for any other.</source>
+        <translation>Podane położenia są według opisu zbyt niedokładne dla każdego innego.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

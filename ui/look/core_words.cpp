@@ -102,6 +102,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Retake the one whose tag is wrong."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "There was nothing to solve."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It was asked for."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The position tags are stated to be too rough for any other."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Photos with wrong tags are solved with their places."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The places were solved from the pictures."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",

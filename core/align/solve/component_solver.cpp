@@ -26,8 +26,88 @@ void refineState(const ComponentInput& input, RefinementOptions options, Compone
     state.cost = refine(state.unknowns, input.priors, state.used, options, progress, stop);
 }
 
+/// A pair's baseline as a row of least squares: the way from a to b has this direction, whatever its length.
+struct BaselineRow {
+    int a = 0; ///< Place of the photo within the component.
+    int b = 0;
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< In the room.
+    double sigmaRad = 0;
+};
+
+std::vector<BaselineRow> baselineRows(const ComponentInput& input, const Unknowns& unknowns) {
+    constexpr double kLeastSigmaRad = 0.02; // The rotations err, too.
+    std::vector<BaselineRow> rows;
+    for (const int at : input.candidates.chosen) {
+        const PairEstimate& estimate = input.candidates.estimates[static_cast<std::size_t>(at)];
+        if (estimate.baselineInA) {
+            const int a = input.candidates.indexOf[static_cast<std::size_t>(estimate.a)];
+            const int b = input.candidates.indexOf[static_cast<std::size_t>(estimate.b)];
+            rows.push_back({a, b,
+                            unknowns.state(static_cast<std::size_t>(a)).roomFromPhoto * *estimate.baselineInA,
+                            std::hypot(kLeastSigmaRad, estimate.baselineSigmaRad)});
+        }
+    }
+    return rows;
+}
+
+/// Moves places that are known roughly to where the baselines of the pairs point, as far as the tags let
+/// them: from a start that is half a metre off, matches would agree with the wrong planes. Robust least
+/// squares, Cauchy's norm.
+void followBaselines(const ComponentInput& input, Unknowns& unknowns) {
+    constexpr int kRounds = 10;
+    constexpr double kLeastWayM = 0.05;
+    const std::vector<BaselineRow> rows = baselineRows(input, unknowns);
+    const auto count = static_cast<Eigen::Index>(3 * unknowns.photo.size());
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<Eigen::Triplet<double>> entries;
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+        for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+            const Eigen::Vector3d sigmas =
+                offsetSigmasM(input.priors[static_cast<std::size_t>(unknowns.photo[i])]);
+            for (int k = 0; k < 3; ++k) {
+                const auto at = static_cast<int>(3 * i) + k;
+                entries.emplace_back(at, at, 1 / (sigmas[k] * sigmas[k]));
+            }
+        }
+        for (const BaselineRow& row : rows) {
+            const auto a = static_cast<std::size_t>(row.a);
+            const auto b = static_cast<std::size_t>(row.b);
+            const Eigen::Vector3d way = unknowns.state(b).positionM - unknowns.state(a).positionM;
+            const Eigen::Vector3d planned = unknowns.plannedM[b] - unknowns.plannedM[a];
+            const double length = std::max({row.direction.dot(way), 0.1 * planned.norm(), kLeastWayM});
+            const double sigmaM = row.sigmaRad * length;
+            const double miss = (way - length * row.direction).norm() / sigmaM;
+            const double weight = 1 / (sigmaM * sigmaM * (1 + miss * miss / 25));
+            const Eigen::Vector3d wanted = weight * (length * row.direction - planned);
+            for (int k = 0; k < 3; ++k) {
+                const int ofA = 3 * row.a + k;
+                const int ofB = 3 * row.b + k;
+                entries.emplace_back(ofA, ofA, weight);
+                entries.emplace_back(ofB, ofB, weight);
+                entries.emplace_back(std::max(ofA, ofB), std::min(ofA, ofB), -weight);
+                right[ofA] -= wanted[k];
+                right[ofB] += wanted[k];
+            }
+        }
+        Eigen::SparseMatrix<double> matrix(count, count);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        const std::optional<Eigen::MatrixXd> offsets = solvedSparse(matrix, right);
+        if (!offsets) {
+            return;
+        }
+        for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                unknowns.offset[i][k] = (*offsets)(static_cast<Eigen::Index>(3 * i + k), 0);
+            }
+        }
+    }
+}
+
 void comeNear(const ComponentInput& input, Model model, ComponentState& state, ProgressSink& progress,
               const std::stop_token& stop) {
+    if (input.candidates.solvesPlaces) {
+        followBaselines(input, state.unknowns);
+    }
     Selection few = input.selection;
     few.mostAPair = std::min(kFirstMatches, few.mostAPair);
     state.used = estimatedMatches(input.candidates, state.unknowns, input.priors, few);

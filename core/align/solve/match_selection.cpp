@@ -154,13 +154,16 @@ UsedPair emptyPair(const Candidates& candidates, const Unknowns& unknowns, std::
     pair.b = candidates.indexOf[static_cast<std::size_t>(given.b)];
     const double sigma = std::hypot(priors[static_cast<std::size_t>(given.a)].positionSigmaM,
                                     priors[static_cast<std::size_t>(given.b)].positionSigmaM);
-    const double apart = (unknowns.plannedM[static_cast<std::size_t>(pair.a)] -
-                          unknowns.plannedM[static_cast<std::size_t>(pair.b)])
-                             .norm();
-    pair.isTurn = apart < std::max(kTurnApartM, 2 * sigma);
+    const PairEstimate& estimate = candidates.estimates[static_cast<std::size_t>(at)];
+    const auto placeOf = [&](int photo) {
+        const auto i = static_cast<std::size_t>(photo);
+        return candidates.solvesPlaces ? unknowns.state(i).positionM : unknowns.plannedM[i];
+    };
+    const double apart = (placeOf(pair.a) - placeOf(pair.b)).norm();
+    const bool isApart = candidates.solvesPlaces && estimate.baselineInA;
+    pair.isTurn = apart < (isApart ? kTurnApartM : std::max(kTurnApartM, 2 * sigma));
     pair.toleranceRad = std::hypot(apart, std::min(sigma, kTurnApartM)) / kUsualRangeM;
     // With photos at one place the matches tell best how far apart they are.
-    const PairEstimate& estimate = candidates.estimates[static_cast<std::size_t>(at)];
     if (pair.isTurn && !estimate.baselineInA) {
         pair.toleranceRad = std::min(pair.toleranceRad, estimate.parallaxRad);
     }

@@ -25,6 +25,9 @@ struct Candidates {
     std::vector<int> chosen;                  ///< Indices of the component's pairs.
     std::vector<int> indexOf;                 ///< The place of each photo within the component.
     std::span<const double> noise;            ///< photoNoise(), one a photo.
+    /// Whether places are solved along from the start. Then two photos that may stand at one place by their
+    /// tags have a baseline still, if their matches show one.
+    bool solvesPlaces = false;
 };
 
 /// How far each photo's bearings scatter beyond what their features state, at least 1 and against the usual

@@ -9,6 +9,7 @@
 
 #include "spherewalk/base/enum_names.h"
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 
@@ -152,6 +153,25 @@ ComponentInput inputOf(const Component& component, std::span<const PhotoPrior> p
     return input;
 }
 
+/// Whether the tags are too rough to say how most neighbours lie from each other. Then places are solved
+/// along: a model without them would explain the matches by turns.
+bool areRough(const Component& component, std::span<const PhotoPrior> priors,
+              std::span<const PairEstimate> estimates) {
+    constexpr double kRoughRad = 0.2;
+    constexpr double kLeastParallaxRad = 0.02; // The lenses of one camera make half of it.
+    std::vector<double> sigmas;
+    for (const GraphEdge& edge : component.edges) {
+        const PairEstimate& estimate = estimates[static_cast<std::size_t>(edge.pair)];
+        const PhotoPrior& a = priors[static_cast<std::size_t>(estimate.a)];
+        const PhotoPrior& b = priors[static_cast<std::size_t>(estimate.b)];
+        const double apart = (b.positionM - a.positionM).norm();
+        if (estimate.baselineInA && estimate.parallaxRad > kLeastParallaxRad && apart > 0) {
+            sigmas.push_back(std::hypot(a.positionSigmaM, b.positionSigmaM) / apart);
+        }
+    }
+    return !sigmas.empty() && median(std::move(sigmas)) > kRoughRad;
+}
+
 ComponentState startOf(const Component& component, std::span<const PhotoPrior> priors,
                        const RoomOrientation& orientation) {
     std::vector<Eigen::Quaterniond> rotations;
@@ -212,26 +232,39 @@ SolveAttempt attempt(const Component& component, const ComponentInput& input,
     return made;
 }
 
+/// Whether more matches agree with one solution than with the other. Where places are solved along, any
+/// heading has places with which the matches agree; of two such solutions the one nearer to the tags wins.
+bool isBetter(const ComponentInput& input, const SolveAttempt& one, const SolveAttempt& other) {
+    constexpr double kAlike = 0.1;
+    const double more = one.quality.agreeingShare - other.quality.agreeingShare;
+    if (input.candidates.solvesPlaces && std::abs(more) < kAlike) {
+        return tagMisfit(one.state.unknowns, input.priors) < tagMisfit(other.state.unknowns, input.priors);
+    }
+    return more > 0;
+}
+
 // The solution at the likeliest heading or, if the matches speak against it, at the next ones.
 SolveAttempt bestAttempt(const Component& component, const ComponentInput& input,
                          std::span<const PairEstimate> estimates, Model wanted, ProgressSink& progress,
                          const std::stop_token& stop) {
+    const bool solvesPlaces = input.candidates.solvesPlaces;
     std::optional<SolveAttempt> best;
     for (const RoomOrientation& orientation : orientations(component, input.priors, estimates)) {
         SolveAttempt made = attempt(component, input, orientation, wanted, progress, stop);
-        if (!best || made.quality.agreeingShare > best->quality.agreeingShare) {
+        if (!best || isBetter(input, made, *best)) {
             best = std::move(made);
         }
-        if (best->quality.agreeingShare > kGoodAgreeingShare || !best->orientation.hasHeading) {
+        if ((best->quality.agreeingShare > kGoodAgreeingShare && !solvesPlaces) ||
+            !best->orientation.hasHeading) {
             break;
         }
     }
-    if (best->orientation.hasHeading && best->travel != TravelSign::Right) {
+    if (best->orientation.hasHeading && (best->travel != TravelSign::Right || solvesPlaces)) {
         RoomOrientation reversed = best->orientation;
         reversed.roomFromComponent = yawRotation(Degrees(180)) * reversed.roomFromComponent;
         reversed.agreeingShare = 1 - reversed.agreeingShare;
         SolveAttempt made = attempt(component, input, reversed, wanted, progress, stop);
-        if (made.travel == TravelSign::Right && made.quality.agreeingShare > best->quality.agreeingShare) {
+        if (made.travel == TravelSign::Right && isBetter(input, made, *best)) {
             best = std::move(made);
         }
     }
@@ -378,11 +411,20 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
             0.98 * static_cast<double>(component.photos.size()) / static_cast<double>(photos.size());
         ProgressStep step(progress, done, done + 0.9 * share);
         done += share;
-        const ComponentInput input = inputOf(component, priors, candidates, options);
+        ComponentInput input = inputOf(component, priors, candidates, options);
         // The largest component chooses the model: small ones have too little to choose by.
-        const Model wanted = i == 0 ? options.model : alignment.model;
+        Model wanted = i == 0 ? options.model : alignment.model;
+        const bool isRough = areRough(component, priors, estimates);
+        if (wanted == Model::Auto && isRough) {
+            wanted = Model::Position;
+            alignment.reason = "The position tags are stated to be too rough for any other.";
+        }
+        input.candidates.solvesPlaces = isRough && solvesPosition(wanted);
         SolveAttempt made = bestAttempt(component, input, estimates, wanted, step, stop);
         widenPriors(priors, input, made, step, stop);
+        if (input.candidates.solvesPlaces && made.orientation.agreeingShare < 0.5) {
+            made.travel = TravelSign::Unclear; // Most directions speak against the way that it looks.
+        }
         if (i == 0) {
             alignment.model = made.choice.model;
             alignment.trials = made.choice.trials;

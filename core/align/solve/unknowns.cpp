@@ -141,6 +141,17 @@ PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> 
     return {scatter(std::move(along), freedom.x()), scatter(std::move(height), freedom.z())};
 }
 
+double tagMisfit(const Unknowns& unknowns, std::span<const PhotoPrior> priors) {
+    constexpr double kMost = 3;
+    double sum = 0;
+    for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
+        const Eigen::Vector3d sigmas = offsetSigmasM(priors[static_cast<std::size_t>(unknowns.photo[i])]);
+        const double off = std::hypot(unknowns.offset[i][0] / sigmas.x(), unknowns.offset[i][1] / sigmas.y());
+        sum += std::min(off, kMost) * std::min(off, kMost);
+    }
+    return std::sqrt(sum / static_cast<double>(unknowns.photo.size()));
+}
+
 double commonLeanScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors) {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weights = 0;

@@ -90,6 +90,10 @@ struct PriorScatter {
 /// few photos are left to tell.
 PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors);
 
+/// How far the places lie from their tags across the floor, in standard deviations of the tags: the root of
+/// the mean square, in which no photo counts for more than three.
+double tagMisfit(const Unknowns& unknowns, std::span<const PhotoPrior> priors);
+
 /// How far all photos lean together from what they state, over its standard deviation. A camera may err in
 /// one direction in all of its photos, so many photos state the common lean no better than one.
 double commonLeanScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors);

@@ -12,7 +12,6 @@
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -185,35 +184,39 @@ class AlignRun {
         return made;
     }
 
-    /// Looks again, with more effort, at pairs that would join parts of the survey. That takes seconds; to
-    /// take photos between the parts takes a person.
+    /// Looks again, with another effort, at pairs that would join parts of the survey: more first, then less,
+    /// since more features make the second best match of each a better one. That takes seconds; to take
+    /// photos between the parts takes a person.
     void joinParts(const std::vector<Eigen::Vector3d>& positions) {
-        constexpr std::array kHarder = {align::Effort::Normal, align::Effort::Fine, align::Effort::Exact};
+        std::vector<align::Effort> efforts = {align::Effort::Normal, align::Effort::Fine,
+                                              align::Effort::Exact};
+        std::erase_if(efforts, [&](align::Effort effort) {
+            return effort == m_report.effort || (m_options.isFree && effort < m_report.effort);
+        });
+        std::ranges::stable_partition(efforts,
+                                      [&](align::Effort effort) { return effort > m_report.effort; });
         const std::vector<int> counts = m_featureCounts; // What shows nothing is not looked at again.
         double begin = 0.76;
-        for (const align::Effort effort : kHarder) {
-            if (effort <= m_options.chosenEffort()) {
-                continue;
-            }
-            const align::EffortOptions harder = align::optionsFor(effort);
+        for (const align::Effort effort : efforts) {
+            const align::EffortOptions other = align::optionsFor(effort);
             std::vector<std::pair<int, int>> apart =
                 m_options.isFree ? align::likelyBridges(*m_alike, m_estimates, m_retrieval)
-                                 : align::neighboursApart(positions, m_estimates, harder.neighbours);
+                                 : align::neighboursApart(positions, m_estimates, other.neighbours);
             std::erase_if(apart, [&](const auto& pair) {
                 return std::min(counts[static_cast<std::size_t>(pair.first)],
                                 counts[static_cast<std::size_t>(pair.second)]) <
                        align::PairOptions().leastInliers;
             });
             if (!apart.empty()) {
-                ProgressStep step(m_progress, begin, begin + 0.03);
-                begin += 0.03;
-                matchAgain(apart, harder, step);
+                ProgressStep step(m_progress, begin, begin + 0.02);
+                begin += 0.02;
+                matchAgain(apart, other, step);
                 m_report.pairsTriedAgain += apart.size();
             }
         }
     }
 
-    void matchAgain(const std::vector<std::pair<int, int>>& apart, const align::EffortOptions& harder,
+    void matchAgain(const std::vector<std::pair<int, int>>& apart, const align::EffortOptions& effort,
                     ProgressSink& progress) {
         std::map<int, int> placeOf; // Of each photo that has to be looked at again.
         std::vector<std::pair<int, int>> places = apart;
@@ -231,10 +234,10 @@ class AlignRun {
             b = placeOf.at(b);
         }
         ProgressStep finding(progress, 0, 0.8);
-        const align::FoundFeatures found = featuresOf(photos, harder.features, finding);
+        const align::FoundFeatures found = featuresOf(photos, effort.features, finding);
         ProgressStep matching(progress, 0.8, 1);
         std::vector<align::PhotoPair> pairs =
-            align::matchPairs(found.photos, places, harder.match, m_options.threads, matching, m_stop);
+            align::matchPairs(found.photos, places, effort.match, m_options.threads, matching, m_stop);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             pairs[i].a = apart[i].first;
             pairs[i].b = apart[i].second;

@@ -448,4 +448,27 @@ TEST(Solve, FindsHowFarTheLensesStandApart) {
     }
 }
 
+// Tags read off a floor plan: what two photos a metre apart show of each other is known far better.
+TEST(Solve, TurnsPhotosAsTheyShowThoughTheirTagsAreHalfAMetreOff) {
+    for (int seed = 1; seed <= 10; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        SyntheticSurveyOptions options;
+        options.seed = static_cast<std::uint64_t>(seed);
+        options.columns = 4;
+        options.rows = 2;
+        options.stepM = 1;
+        options.reachM = 1.5;
+        options.roomM = {7, 5, 2.6};
+        options.positionSigmaM = 0.4;
+        options.heightSigmaM = 0.01;
+        const SyntheticSurvey survey = syntheticSurvey(options);
+        const Alignment alignment = solveSurvey(survey);
+        const SurveyErrors errors = errorsOf(alignment, survey.roomFromPhoto);
+        EXPECT_EQ(alignment.model, Model::Position);
+        EXPECT_GE(errors.solved, 7);
+        EXPECT_LT(errors.yawWorst, 0.5 * kDegree);
+        EXPECT_LT(std::abs(errors.commonYaw), 25 * kDegree); // No pair knows it, and the tags little.
+    }
+}
+
 } // namespace spherewalk::align
