@@ -2101,6 +2101,346 @@
         <source>The position tags are stated to be too rough for any other.</source>
         <translation>Die Ortsangaben gelten als zu ungenau für jedes andere.</translation>
     </message>
+    <message>
+        <source>What its neighbours see there stands about %1 degrees away in this photo: it moved.</source>
+        <translation>Was die Nachbarn dort sehen, steht in diesem Foto etwa %1 Grad daneben: Es wurde bewegt.</translation>
+    </message>
+    <message>
+        <source>What its neighbours see there is not in this photo: it moved, vanished or is covered.</source>
+        <translation>Was die Nachbarn dort sehen, fehlt in diesem Foto: Es wurde bewegt, ist verschwunden oder verdeckt.</translation>
+    </message>
+    <message>
+        <source>one stop farther along its rail than its tag says</source>
+        <translation>einen Halt weiter auf der Schiene, als angegeben ist</translation>
+    </message>
+    <message>
+        <source>one stop before the one that its tag says</source>
+        <translation>einen Halt vor dem, der angegeben ist</translation>
+    </message>
+    <message>
+        <source>It is one of %1 photos taken %2: it shows what is seen from %3.</source>
+        <translation>Es ist eines von %1 Fotos, die so aufgenommen wurden: %2. Es zeigt, was man von %3 aus sieht.</translation>
+    </message>
+    <message>
+        <source>It was taken about %1 m from where its tag says, where no photo is planned: one stop off the end of its rail.</source>
+        <translation>Es wurde etwa %1 m neben der angegebenen Stelle aufgenommen, wo kein Foto geplant ist: einen Halt über das Ende der Schiene hinaus.</translation>
+    </message>
+    <message>
+        <source>It was taken about %1 m from where its tag says, where no photo is planned.</source>
+        <translation>Es wurde etwa %1 m neben der angegebenen Stelle aufgenommen, wo kein Foto geplant ist.</translation>
+    </message>
+    <message>
+        <source>It was taken %1: it shows what is seen from %2.</source>
+        <translation>So wurde es aufgenommen: %1. Es zeigt, was man von %2 aus sieht.</translation>
+    </message>
+    <message>
+        <source>Its rail was walked from the other end: it shows what is seen from %1.</source>
+        <translation>Die Schiene wurde vom anderen Ende her abgefahren: Es zeigt, was man von %1 aus sieht.</translation>
+    </message>
+    <message>
+        <source>It shows what is seen from %1; the photo tagged so shows %2: they are swapped.</source>
+        <translation>Es zeigt, was man von %1 aus sieht; das dort angegebene Foto zeigt %2: Sie sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>It shows what is seen from %1.</source>
+        <translation>Es zeigt, was man von %1 aus sieht.</translation>
+    </message>
+    <message>
+        <source>It would lean by %1 deg from what its camera states of its tilt.</source>
+        <translation>Es wäre um %1 Grad gegen die Neigung gekippt, die seine Kamera angibt.</translation>
+    </message>
+    <message>
+        <source>It would lean by %1 deg from upright, though it states no tilt.</source>
+        <translation>Es wäre um %1 Grad gekippt, obwohl es keine Neigung angibt.</translation>
+    </message>
+    <message>
+        <source>Its rotation is therefore not known: check its position, and retake it if that is right.</source>
+        <translation>Wie es gedreht ist, ist darum nicht bekannt: Prüfen Sie seine Position, und nehmen Sie es neu auf, wenn sie stimmt.</translation>
+    </message>
+    <message>
+        <source>Its rotation is therefore not known: take another photo beside it.</source>
+        <translation>Wie es gedreht ist, ist darum nicht bekannt: Nehmen Sie daneben ein weiteres Foto auf.</translation>
+    </message>
+    <message>
+        <source>All photos of %1 lie on one line.</source>
+        <translation>Alle Fotos von %1 liegen auf einer Linie.</translation>
+    </message>
+    <message>
+        <source>Nothing but the tilts that they state holds the turn about that line, which is known to %1 deg (one standard deviation).</source>
+        <translation>Die Drehung um diese Linie halten nur die Neigungen, die sie angeben; sie ist auf %1 Grad bekannt (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>Add a second rail, or one photo, beside the line.</source>
+        <translation>Fügen Sie neben der Linie eine zweite Schiene oder ein Foto hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 photos lean by more than 3 degrees from what they state, or from upright if they state nothing.</source>
+        <translation>%1 von %2 Fotos sind um mehr als 3 Grad gegen das gekippt, was sie angeben, oder gegen die Senkrechte, wenn sie nichts angeben.</translation>
+    </message>
+    <message>
+        <source>Most leans %1: by %2 deg.</source>
+        <translation>Am meisten gekippt ist %1: um %2 Grad.</translation>
+    </message>
+    <message>
+        <source>If the camera stood level, look at the positions of these photos.</source>
+        <translation>Wenn die Kamera gerade stand, sehen Sie sich die Positionen dieser Fotos an.</translation>
+    </message>
+    <message>
+        <source>Half a turn about the line to its neighbours explains what it shows about as well.</source>
+        <translation>Eine halbe Drehung um die Linie zu den Nachbarn erklärt etwa ebenso gut, was es zeigt.</translation>
+    </message>
+    <message>
+        <source>Which way it looks is not known: too little of what it shares with its neighbours lies clearly in front of them, so half a turn explains it as well.</source>
+        <translation>Wohin es blickt, ist nicht bekannt: Zu wenig von dem, was es mit den Nachbarn gemeinsam hat, liegt klar vor ihnen, sodass eine halbe Drehung es ebenso gut erklärt.</translation>
+    </message>
+    <message>
+        <source>Take a photo between them, or nearer to things.</source>
+        <translation>Nehmen Sie ein Foto dazwischen oder näher an den Dingen auf.</translation>
+    </message>
+    <message>
+        <source>How it is turned against the others is not known: its position asks for another turn than what it shows in common with its neighbours.</source>
+        <translation>Wie es gegen die anderen gedreht ist, ist nicht bekannt: Seine Position verlangt eine andere Drehung als das, was es mit den Nachbarn gemeinsam zeigt.</translation>
+    </message>
+    <message>
+        <source>Check the positions.</source>
+        <translation>Prüfen Sie die Positionen.</translation>
+    </message>
+    <message>
+        <source>Its matches contradict where the other photos are.</source>
+        <translation>Was es mit anderen gemeinsam zeigt, widerspricht deren Positionen.</translation>
+    </message>
+    <message>
+        <source>Check its position tag.</source>
+        <translation>Prüfen Sie seine Ortsangabe.</translation>
+    </message>
+    <message>
+        <source>There is no other photo to compare it with.</source>
+        <translation>Es gibt kein anderes Foto, mit dem es verglichen werden könnte.</translation>
+    </message>
+    <message>
+        <source>It was compared with no other photo.</source>
+        <translation>Es wurde mit keinem anderen Foto verglichen.</translation>
+    </message>
+    <message>
+        <source>No neighbour shares enough with it.</source>
+        <translation>Kein Nachbar hat genug mit ihm gemeinsam.</translation>
+    </message>
+    <message>
+        <source>What its neighbours say of it contradicts what they say of each other.</source>
+        <translation>Was die Nachbarn von ihm sagen, widerspricht dem, was sie voneinander sagen.</translation>
+    </message>
+    <message>
+        <source>The survey falls into %1 parts that share no photo pair; part %2 is %3.</source>
+        <translation>Das Projekt zerfällt in %1 Teile, die kein Fotopaar verbindet; Teil %2 ist %3.</translation>
+    </message>
+    <message>
+        <source>Each part is aligned for itself, by its positions: take photos between them.</source>
+        <translation>Jeder Teil wird für sich nach seinen Positionen ausgerichtet: Nehmen Sie Fotos dazwischen auf.</translation>
+    </message>
+    <message>
+        <source>Nothing fixes the common heading of %1: they stand at one place.</source>
+        <translation>Nichts legt die gemeinsame Richtung von %1 fest: Sie stehen an einer Stelle.</translation>
+    </message>
+    <message>
+        <source>Only how they are turned to each other is known.</source>
+        <translation>Bekannt ist nur, wie sie gegeneinander gedreht sind.</translation>
+    </message>
+    <message>
+        <source>The positions of %1 contradict what the photos show of them (%2 % of the directions agree).</source>
+        <translation>Die Positionen von %1 widersprechen dem, was die Fotos davon zeigen (%2 % der Richtungen stimmen überein).</translation>
+    </message>
+    <message>
+        <source>Check the position tags, or state how rough they are.</source>
+        <translation>Prüfen Sie die Ortsangaben, oder geben Sie an, wie ungenau sie sind.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 is doubtful: only %2 % of the matches that pairs agreed on fit it.</source>
+        <translation>Die Ausrichtung von %1 ist zweifelhaft: Nur %2 % der Übereinstimmungen der Paare passen dazu.</translation>
+    </message>
+    <message>
+        <source>The photos fall into %1 parts that share nothing certain; part %2 is %3.</source>
+        <translation>Die Fotos zerfallen in %1 Teile, die nichts sicher gemeinsam haben; Teil %2 ist %3.</translation>
+    </message>
+    <message>
+        <source>Only the largest part is placed: take photos between the parts.</source>
+        <translation>Nur der größte Teil erhält Positionen: Nehmen Sie Fotos zwischen den Teilen auf.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the given distance is %1 % too long.</source>
+        <translation>Nach der Druckgröße der Marken ist der angegebene Abstand um %1 % zu lang.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the given distance is %1 % too short.</source>
+        <translation>Nach der Druckgröße der Marken ist der angegebene Abstand um %1 % zu kurz.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the height of the lens is %1 % too long.</source>
+        <translation>Nach der Druckgröße der Marken ist die Höhe des Objektivs um %1 % zu lang.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the height of the lens is %1 % too short.</source>
+        <translation>Nach der Druckgröße der Marken ist die Höhe des Objektivs um %1 % zu kurz.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, lengths in the other survey&apos;s frame are %1 % too long.</source>
+        <translation>Nach der Druckgröße der Marken sind Längen im anderen Projekt um %1 % zu lang.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, lengths in the other survey&apos;s frame are %1 % too short.</source>
+        <translation>Nach der Druckgröße der Marken sind Längen im anderen Projekt um %1 % zu kurz.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, all tapes are %1 % too long (known to %2 %).</source>
+        <translation>Nach der Druckgröße der Marken sind alle Maße um %1 % zu lang (auf %2 % bekannt).</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, all tapes are %1 % too short (known to %2 %).</source>
+        <translation>Nach der Druckgröße der Marken sind alle Maße um %1 % zu kurz (auf %2 % bekannt).</translation>
+    </message>
+    <message>
+        <source>Measure the printed tags and the distance again.</source>
+        <translation>Messen Sie die gedruckten Marken und den Abstand noch einmal.</translation>
+    </message>
+    <message>
+        <source>Measure the printed tags, and the height of the lens.</source>
+        <translation>Messen Sie die gedruckten Marken und die Höhe des Objektivs.</translation>
+    </message>
+    <message>
+        <source>Measure a printed tag with a ruler, then the tapes.</source>
+        <translation>Messen Sie eine gedruckte Marke mit einem Lineal, dann die Maßbänder.</translation>
+    </message>
+    <message>
+        <source>Perhaps a tag was moved between the surveys, or their --tag-size differs.</source>
+        <translation>Vielleicht wurde zwischen den Projekten eine Marke umgehängt, oder ihre Größe ist verschieden angegeben.</translation>
+    </message>
+    <message>
+        <source>AprilTag %1 hangs elsewhere than in the other survey, and was not used to join them.</source>
+        <translation>AprilTag %1 hängt anderswo als im anderen Projekt und wurde nicht benutzt, um beide zu verbinden.</translation>
+    </message>
+    <message>
+        <source>Hang tags where nobody moves them.</source>
+        <translation>Hängen Sie Marken dort auf, wo niemand sie umhängt.</translation>
+    </message>
+    <message>
+        <source>The scale is not known: the photos show too little of the floor below them, and no distance was given.</source>
+        <translation>Der Maßstab ist nicht bekannt: Die Fotos zeigen zu wenig vom Boden unter ihnen, und es wurde kein Abstand angegeben.</translation>
+    </message>
+    <message>
+        <source>Give --distance with two photos and the metres between them.</source>
+        <translation>Geben Sie --distance mit zwei Fotos und den Metern dazwischen an.</translation>
+    </message>
+    <message>
+        <source>Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart.</source>
+        <translation>Wo AprilTag %1 hängt, ist nicht bekannt: 1 Foto sieht ihn (%2), aber nicht von weit genug auseinander liegenden Stellen.</translation>
+    </message>
+    <message>
+        <source>Where AprilTag %1 hangs is not known: %2 photos see it (%3), but not from places far enough apart.</source>
+        <translation>Wo AprilTag %1 hängt, ist nicht bekannt: %2 Fotos sehen ihn (%3), aber nicht von weit genug auseinander liegenden Stellen.</translation>
+    </message>
+    <message>
+        <source>Take a photo near it.</source>
+        <translation>Nehmen Sie in seiner Nähe ein Foto auf.</translation>
+    </message>
+    <message>
+        <source>AprilTag %1 hangs in more than one place, or was moved: %2 photos see it at (%3, %4, %5), but %6 elsewhere.</source>
+        <translation>AprilTag %1 hängt an mehreren Stellen oder wurde umgehängt: %2 Fotos sehen ihn bei (%3; %4; %5), aber %6 anderswo.</translation>
+    </message>
+    <message>
+        <source>Hang each number once.</source>
+        <translation>Hängen Sie jede Nummer nur einmal auf.</translation>
+    </message>
+    <message>
+        <source>No AprilTag was found that two photos see: hang tags where photos see them from up to 4 m away, or leave out --tag-size.</source>
+        <translation>Es wurde kein AprilTag gefunden, den zwei Fotos sehen: Hängen Sie Marken dort auf, wo Fotos sie aus höchstens 4 m sehen, oder geben Sie keine Größe an.</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the left of the picture&apos;s middle, %2 degrees above the horizon (%3 % of the sphere).</source>
+        <translation>Wo andere Fotos hindurchsehen, steht etwas: %1 Grad links der Bildmitte, %2 Grad über dem Horizont (%3 % der Kugel).</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the left of the picture&apos;s middle, %2 degrees below the horizon (%3 % of the sphere).</source>
+        <translation>Wo andere Fotos hindurchsehen, steht etwas: %1 Grad links der Bildmitte, %2 Grad unter dem Horizont (%3 % der Kugel).</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the right of the picture&apos;s middle, %2 degrees above the horizon (%3 % of the sphere).</source>
+        <translation>Wo andere Fotos hindurchsehen, steht etwas: %1 Grad rechts der Bildmitte, %2 Grad über dem Horizont (%3 % der Kugel).</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the right of the picture&apos;s middle, %2 degrees below the horizon (%3 % of the sphere).</source>
+        <translation>Wo andere Fotos hindurchsehen, steht etwas: %1 Grad rechts der Bildmitte, %2 Grad unter dem Horizont (%3 % der Kugel).</translation>
+    </message>
+    <message>
+        <source>If it is a person, step aside and take it again.</source>
+        <translation>Wenn es eine Person ist, treten Sie zur Seite, und nehmen Sie es neu auf.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read; retake the photo.</source>
+        <translation>Die Datei %1 kann nicht gelesen werden; nehmen Sie das Foto neu auf.</translation>
+    </message>
+    <message>
+        <source>The position tags are mirrored: one axis points the wrong way, or x and y are exchanged.</source>
+        <translation>Die Ortsangaben sind gespiegelt: Eine Achse zeigt verkehrt herum, oder x und y sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>No photo is aligned; correct the axis in all positions, and align again.</source>
+        <translation>Kein Foto ist ausgerichtet; berichtigen Sie die Achse in allen Positionen, und richten Sie noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>The scale of the tags differs along the axes: against x, the tags are %1 times as long along y as the photos show.</source>
+        <translation>Der Maßstab der Angaben ist je Achse verschieden: Gegenüber x sind sie entlang y %1-mal so lang, wie die Fotos zeigen.</translation>
+    </message>
+    <message>
+        <source>Measure the steps along the rails and between them, correct the positions, and align again.</source>
+        <translation>Messen Sie die Schritte entlang der Schienen und dazwischen, berichtigen Sie die Positionen, und richten Sie noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>The scale of the tags is wrong, or the height of the lens: by the floor that the photos show, the tags lie %1 times as far apart as the photos.</source>
+        <translation>Der Maßstab der Angaben oder die Höhe des Objektivs ist falsch: Nach dem Boden, den die Fotos zeigen, liegen die Angaben %1-mal so weit auseinander wie die Fotos.</translation>
+    </message>
+    <message>
+        <source>Measure the rail&apos;s steps and the lens&apos;s height, correct what is wrong, and align again.</source>
+        <translation>Messen Sie die Schritte der Schiene und die Höhe des Objektivs, berichtigen Sie, was falsch ist, und richten Sie noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>How 1 photo is turned is not known: %1.</source>
+        <translation>Wie 1 Foto gedreht ist, ist nicht bekannt: %1.</translation>
+    </message>
+    <message>
+        <source>How %1 photos are turned is not known: %2.</source>
+        <translation>Wie %1 Fotos gedreht sind, ist nicht bekannt: %2.</translation>
+    </message>
+    <message>
+        <source>1 photo is left out, since the alignment found no pose that holds: %1.</source>
+        <translation>1 Foto wird ausgelassen, weil die Ausrichtung keine sichere Lage fand: %1.</translation>
+    </message>
+    <message>
+        <source>%1 photos are left out, since the alignment found no pose that holds: %2.</source>
+        <translation>%1 Fotos werden ausgelassen, weil die Ausrichtung keine sichere Lage fand: %2.</translation>
+    </message>
+    <message>
+        <source>Look at what the alignment says of each, mend it, and align again.</source>
+        <translation>Sehen Sie sich an, was die Ausrichtung von jedem sagt, beheben Sie es, und richten Sie noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>The alignment puts 1 photo nearer to another station than to the photo&apos;s own: %1.</source>
+        <translation>Die Ausrichtung setzt 1 Foto näher an eine andere Station als an die eigene: %1.</translation>
+    </message>
+    <message>
+        <source>The alignment puts %1 photos nearer to another station than to the photo&apos;s own: %2.</source>
+        <translation>Die Ausrichtung setzt %1 Fotos näher an eine andere Station als an die eigene: %2.</translation>
+    </message>
+    <message>
+        <source>The dataset has the solved places; retag the photos, and align again.</source>
+        <translation>Der Datensatz hat die gelösten Orte; ordnen Sie die Fotos neu zu, und richten Sie noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>1 photo has left the alignment, which was made with the earlier places; align again before you export.</source>
+        <translation>1 Foto hat die Ausrichtung verlassen, die mit den früheren Orten gemacht wurde; richten Sie vor dem Export noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>%1 photos have left the alignment, which was made with the earlier places; align again before you export.</source>
+        <translation>%1 Fotos haben die Ausrichtung verlassen, die mit den früheren Orten gemacht wurde; richten Sie vor dem Export noch einmal aus.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -2111,6 +2111,346 @@
         <source>The position tags are stated to be too rough for any other.</source>
         <translation>Podane położenia są według opisu zbyt niedokładne dla każdego innego.</translation>
     </message>
+    <message>
+        <source>What its neighbours see there stands about %1 degrees away in this photo: it moved.</source>
+        <translation>To, co widzą tam sąsiednie zdjęcia, na tym zdjęciu stoi około %1 stopni dalej: zostało przesunięte.</translation>
+    </message>
+    <message>
+        <source>What its neighbours see there is not in this photo: it moved, vanished or is covered.</source>
+        <translation>Tego, co widzą tam sąsiednie zdjęcia, na tym zdjęciu nie ma: zostało przesunięte, zniknęło albo jest zasłonięte.</translation>
+    </message>
+    <message>
+        <source>one stop farther along its rail than its tag says</source>
+        <translation>o jeden przystanek dalej na szynie, niż podano</translation>
+    </message>
+    <message>
+        <source>one stop before the one that its tag says</source>
+        <translation>o jeden przystanek wcześniej, niż podano</translation>
+    </message>
+    <message>
+        <source>It is one of %1 photos taken %2: it shows what is seen from %3.</source>
+        <translation>To jedno z %1 zdjęć zrobionych %2: pokazuje to, co widać z %3.</translation>
+    </message>
+    <message>
+        <source>It was taken about %1 m from where its tag says, where no photo is planned: one stop off the end of its rail.</source>
+        <translation>Zrobiono je około %1 m od podanego miejsca, tam gdzie nie zaplanowano zdjęcia: jeden przystanek za końcem szyny.</translation>
+    </message>
+    <message>
+        <source>It was taken about %1 m from where its tag says, where no photo is planned.</source>
+        <translation>Zrobiono je około %1 m od podanego miejsca, tam gdzie nie zaplanowano zdjęcia.</translation>
+    </message>
+    <message>
+        <source>It was taken %1: it shows what is seen from %2.</source>
+        <translation>Zrobiono je %1: pokazuje to, co widać z %2.</translation>
+    </message>
+    <message>
+        <source>Its rail was walked from the other end: it shows what is seen from %1.</source>
+        <translation>Szynę przejechano od drugiego końca: zdjęcie pokazuje to, co widać z %1.</translation>
+    </message>
+    <message>
+        <source>It shows what is seen from %1; the photo tagged so shows %2: they are swapped.</source>
+        <translation>Pokazuje to, co widać z %1; zdjęcie podane w tym miejscu pokazuje %2: są zamienione.</translation>
+    </message>
+    <message>
+        <source>It shows what is seen from %1.</source>
+        <translation>Pokazuje to, co widać z %1.</translation>
+    </message>
+    <message>
+        <source>It would lean by %1 deg from what its camera states of its tilt.</source>
+        <translation>Byłoby przechylone o %1 stopni względem pochylenia, które podaje aparat.</translation>
+    </message>
+    <message>
+        <source>It would lean by %1 deg from upright, though it states no tilt.</source>
+        <translation>Byłoby przechylone o %1 stopni od pionu, choć nie podaje pochylenia.</translation>
+    </message>
+    <message>
+        <source>Its rotation is therefore not known: check its position, and retake it if that is right.</source>
+        <translation>Dlatego jego obrót nie jest znany: sprawdź położenie i zrób je ponownie, jeśli położenie się zgadza.</translation>
+    </message>
+    <message>
+        <source>Its rotation is therefore not known: take another photo beside it.</source>
+        <translation>Dlatego jego obrót nie jest znany: zrób obok jeszcze jedno zdjęcie.</translation>
+    </message>
+    <message>
+        <source>All photos of %1 lie on one line.</source>
+        <translation>Wszystkie zdjęcia %1 leżą na jednej linii.</translation>
+    </message>
+    <message>
+        <source>Nothing but the tilts that they state holds the turn about that line, which is known to %1 deg (one standard deviation).</source>
+        <translation>Obrót wokół tej linii wynika tylko z podanych pochyleń i jest znany do %1 stopnia (jedno odchylenie standardowe).</translation>
+    </message>
+    <message>
+        <source>Add a second rail, or one photo, beside the line.</source>
+        <translation>Dodaj drugą szynę albo jedno zdjęcie obok tej linii.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 photos lean by more than 3 degrees from what they state, or from upright if they state nothing.</source>
+        <translation>%1 z %2 zdjęć odchyla się o więcej niż 3 stopnie od tego, co podają, albo od pionu, jeśli nic nie podają.</translation>
+    </message>
+    <message>
+        <source>Most leans %1: by %2 deg.</source>
+        <translation>Najbardziej przechylone jest %1: o %2 stopnia.</translation>
+    </message>
+    <message>
+        <source>If the camera stood level, look at the positions of these photos.</source>
+        <translation>Jeśli aparat stał prosto, sprawdź położenia tych zdjęć.</translation>
+    </message>
+    <message>
+        <source>Half a turn about the line to its neighbours explains what it shows about as well.</source>
+        <translation>Pół obrotu wokół linii do sąsiednich zdjęć wyjaśnia to, co pokazuje, mniej więcej równie dobrze.</translation>
+    </message>
+    <message>
+        <source>Which way it looks is not known: too little of what it shares with its neighbours lies clearly in front of them, so half a turn explains it as well.</source>
+        <translation>Nie wiadomo, w którą stronę jest zwrócone: zbyt mało tego, co ma wspólne z sąsiednimi zdjęciami, leży wyraźnie przed nimi, więc pół obrotu wyjaśnia to równie dobrze.</translation>
+    </message>
+    <message>
+        <source>Take a photo between them, or nearer to things.</source>
+        <translation>Zrób zdjęcie pomiędzy nimi albo bliżej przedmiotów.</translation>
+    </message>
+    <message>
+        <source>How it is turned against the others is not known: its position asks for another turn than what it shows in common with its neighbours.</source>
+        <translation>Nie wiadomo, jak jest obrócone względem innych: jego położenie wymaga innego obrotu niż to, co pokazuje wspólnie z sąsiednimi zdjęciami.</translation>
+    </message>
+    <message>
+        <source>Check the positions.</source>
+        <translation>Sprawdź położenia.</translation>
+    </message>
+    <message>
+        <source>Its matches contradict where the other photos are.</source>
+        <translation>To, co pokazuje wspólnie z innymi, przeczy ich położeniom.</translation>
+    </message>
+    <message>
+        <source>Check its position tag.</source>
+        <translation>Sprawdź podane położenie.</translation>
+    </message>
+    <message>
+        <source>There is no other photo to compare it with.</source>
+        <translation>Nie ma innego zdjęcia do porównania.</translation>
+    </message>
+    <message>
+        <source>It was compared with no other photo.</source>
+        <translation>Nie porównano go z żadnym innym zdjęciem.</translation>
+    </message>
+    <message>
+        <source>No neighbour shares enough with it.</source>
+        <translation>Żadne sąsiednie zdjęcie nie ma z nim dość wspólnego.</translation>
+    </message>
+    <message>
+        <source>What its neighbours say of it contradicts what they say of each other.</source>
+        <translation>To, co mówią o nim sąsiednie zdjęcia, przeczy temu, co mówią o sobie nawzajem.</translation>
+    </message>
+    <message>
+        <source>The survey falls into %1 parts that share no photo pair; part %2 is %3.</source>
+        <translation>Pomiar rozpada się na %1 części bez wspólnej pary zdjęć; część %2 to %3.</translation>
+    </message>
+    <message>
+        <source>Each part is aligned for itself, by its positions: take photos between them.</source>
+        <translation>Każda część jest orientowana osobno według swoich położeń: zrób zdjęcia pomiędzy nimi.</translation>
+    </message>
+    <message>
+        <source>Nothing fixes the common heading of %1: they stand at one place.</source>
+        <translation>Nic nie wyznacza wspólnego kierunku %1: stoją w jednym miejscu.</translation>
+    </message>
+    <message>
+        <source>Only how they are turned to each other is known.</source>
+        <translation>Wiadomo tylko, jak są obrócone względem siebie.</translation>
+    </message>
+    <message>
+        <source>The positions of %1 contradict what the photos show of them (%2 % of the directions agree).</source>
+        <translation>Położenia %1 przeczą temu, co pokazują zdjęcia (zgadza się %2 % kierunków).</translation>
+    </message>
+    <message>
+        <source>Check the position tags, or state how rough they are.</source>
+        <translation>Sprawdź podane położenia albo podaj, jak bardzo są niedokładne.</translation>
+    </message>
+    <message>
+        <source>The alignment of %1 is doubtful: only %2 % of the matches that pairs agreed on fit it.</source>
+        <translation>Orientacja %1 jest wątpliwa: pasuje do niej tylko %2 % dopasowań, co do których pary były zgodne.</translation>
+    </message>
+    <message>
+        <source>The photos fall into %1 parts that share nothing certain; part %2 is %3.</source>
+        <translation>Zdjęcia rozpadają się na %1 części, które nie mają nic pewnego wspólnego; część %2 to %3.</translation>
+    </message>
+    <message>
+        <source>Only the largest part is placed: take photos between the parts.</source>
+        <translation>Położenia otrzymuje tylko największa część: zrób zdjęcia pomiędzy częściami.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the given distance is %1 % too long.</source>
+        <translation>Według wydrukowanego rozmiaru znaczników podana odległość jest za duża o %1 %.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the given distance is %1 % too short.</source>
+        <translation>Według wydrukowanego rozmiaru znaczników podana odległość jest za mała o %1 %.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the height of the lens is %1 % too long.</source>
+        <translation>Według wydrukowanego rozmiaru znaczników wysokość obiektywu jest za duża o %1 %.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, the height of the lens is %1 % too short.</source>
+        <translation>Według wydrukowanego rozmiaru znaczników wysokość obiektywu jest za mała o %1 %.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, lengths in the other survey&apos;s frame are %1 % too long.</source>
+        <translation>Według wydrukowanego rozmiaru znaczników długości w drugim pomiarze są za duże o %1 %.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, lengths in the other survey&apos;s frame are %1 % too short.</source>
+        <translation>Według wydrukowanego rozmiaru znaczników długości w drugim pomiarze są za małe o %1 %.</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, all tapes are %1 % too long (known to %2 %).</source>
+        <translation>Według wydrukowanego rozmiaru znaczników wszystkie miary są za długie o %1 % (znane do %2 %).</translation>
+    </message>
+    <message>
+        <source>By the printed size of the tags, all tapes are %1 % too short (known to %2 %).</source>
+        <translation>Według wydrukowanego rozmiaru znaczników wszystkie miary są za krótkie o %1 % (znane do %2 %).</translation>
+    </message>
+    <message>
+        <source>Measure the printed tags and the distance again.</source>
+        <translation>Zmierz ponownie wydrukowane znaczniki i odległość.</translation>
+    </message>
+    <message>
+        <source>Measure the printed tags, and the height of the lens.</source>
+        <translation>Zmierz wydrukowane znaczniki i wysokość obiektywu.</translation>
+    </message>
+    <message>
+        <source>Measure a printed tag with a ruler, then the tapes.</source>
+        <translation>Zmierz wydrukowany znacznik linijką, a potem taśmy miernicze.</translation>
+    </message>
+    <message>
+        <source>Perhaps a tag was moved between the surveys, or their --tag-size differs.</source>
+        <translation>Być może między pomiarami przewieszono znacznik albo podano różne rozmiary znaczników.</translation>
+    </message>
+    <message>
+        <source>AprilTag %1 hangs elsewhere than in the other survey, and was not used to join them.</source>
+        <translation>AprilTag %1 wisi gdzie indziej niż w drugim pomiarze i nie użyto go do ich połączenia.</translation>
+    </message>
+    <message>
+        <source>Hang tags where nobody moves them.</source>
+        <translation>Wieszaj znaczniki tam, gdzie nikt ich nie przesunie.</translation>
+    </message>
+    <message>
+        <source>The scale is not known: the photos show too little of the floor below them, and no distance was given.</source>
+        <translation>Skala nie jest znana: zdjęcia pokazują zbyt mało podłogi pod nimi i nie podano żadnej odległości.</translation>
+    </message>
+    <message>
+        <source>Give --distance with two photos and the metres between them.</source>
+        <translation>Podaj --distance z dwoma zdjęciami i odległością między nimi w metrach.</translation>
+    </message>
+    <message>
+        <source>Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart.</source>
+        <translation>Nie wiadomo, gdzie wisi AprilTag %1: widzi go 1 zdjęcie (%2), ale nie z dostatecznie odległych miejsc.</translation>
+    </message>
+    <message>
+        <source>Where AprilTag %1 hangs is not known: %2 photos see it (%3), but not from places far enough apart.</source>
+        <translation>Nie wiadomo, gdzie wisi AprilTag %1: liczba zdjęć, które go widzą: %2 (%3), ale nie z dostatecznie odległych miejsc.</translation>
+    </message>
+    <message>
+        <source>Take a photo near it.</source>
+        <translation>Zrób zdjęcie w jego pobliżu.</translation>
+    </message>
+    <message>
+        <source>AprilTag %1 hangs in more than one place, or was moved: %2 photos see it at (%3, %4, %5), but %6 elsewhere.</source>
+        <translation>AprilTag %1 wisi w kilku miejscach albo go przewieszono: liczba zdjęć, które widzą go w (%3; %4; %5): %2, ale %6 gdzie indziej.</translation>
+    </message>
+    <message>
+        <source>Hang each number once.</source>
+        <translation>Każdy numer powieś tylko raz.</translation>
+    </message>
+    <message>
+        <source>No AprilTag was found that two photos see: hang tags where photos see them from up to 4 m away, or leave out --tag-size.</source>
+        <translation>Nie znaleziono AprilTagu, który widzą dwa zdjęcia: powieś znaczniki tam, gdzie zdjęcia widzą je z odległości do 4 m, albo nie podawaj rozmiaru.</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the left of the picture&apos;s middle, %2 degrees above the horizon (%3 % of the sphere).</source>
+        <translation>Coś stoi tam, gdzie inne zdjęcia widzą na wylot: %1 stopni w lewo od środka obrazu, %2 stopni nad horyzontem (%3 % sfery).</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the left of the picture&apos;s middle, %2 degrees below the horizon (%3 % of the sphere).</source>
+        <translation>Coś stoi tam, gdzie inne zdjęcia widzą na wylot: %1 stopni w lewo od środka obrazu, %2 stopni pod horyzontem (%3 % sfery).</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the right of the picture&apos;s middle, %2 degrees above the horizon (%3 % of the sphere).</source>
+        <translation>Coś stoi tam, gdzie inne zdjęcia widzą na wylot: %1 stopni w prawo od środka obrazu, %2 stopni nad horyzontem (%3 % sfery).</translation>
+    </message>
+    <message>
+        <source>Something stands where other photos look through: %1 degrees to the right of the picture&apos;s middle, %2 degrees below the horizon (%3 % of the sphere).</source>
+        <translation>Coś stoi tam, gdzie inne zdjęcia widzą na wylot: %1 stopni w prawo od środka obrazu, %2 stopni pod horyzontem (%3 % sfery).</translation>
+    </message>
+    <message>
+        <source>If it is a person, step aside and take it again.</source>
+        <translation>Jeśli to osoba, odejdź na bok i zrób je ponownie.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read; retake the photo.</source>
+        <translation>Nie można odczytać pliku %1; zrób zdjęcie ponownie.</translation>
+    </message>
+    <message>
+        <source>The position tags are mirrored: one axis points the wrong way, or x and y are exchanged.</source>
+        <translation>Podane położenia są odbite: jedna oś jest odwrócona albo x i y są zamienione.</translation>
+    </message>
+    <message>
+        <source>No photo is aligned; correct the axis in all positions, and align again.</source>
+        <translation>Żadne zdjęcie nie jest zorientowane; popraw oś we wszystkich położeniach i zorientuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The scale of the tags differs along the axes: against x, the tags are %1 times as long along y as the photos show.</source>
+        <translation>Skala położeń różni się wzdłuż osi: względem x są wzdłuż y %1 razy dłuższe, niż pokazują zdjęcia.</translation>
+    </message>
+    <message>
+        <source>Measure the steps along the rails and between them, correct the positions, and align again.</source>
+        <translation>Zmierz kroki wzdłuż szyn i pomiędzy nimi, popraw położenia i zorientuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The scale of the tags is wrong, or the height of the lens: by the floor that the photos show, the tags lie %1 times as far apart as the photos.</source>
+        <translation>Skala położeń albo wysokość obiektywu jest błędna: według podłogi widocznej na zdjęciach podane miejsca są %1 razy dalej od siebie niż zdjęcia.</translation>
+    </message>
+    <message>
+        <source>Measure the rail&apos;s steps and the lens&apos;s height, correct what is wrong, and align again.</source>
+        <translation>Zmierz kroki szyny i wysokość obiektywu, popraw to, co błędne, i zorientuj ponownie.</translation>
+    </message>
+    <message>
+        <source>How 1 photo is turned is not known: %1.</source>
+        <translation>Nie wiadomo, jak obrócone jest 1 zdjęcie: %1.</translation>
+    </message>
+    <message>
+        <source>How %1 photos are turned is not known: %2.</source>
+        <translation>Nie wiadomo, jak obrócone jest %1 zdjęć: %2.</translation>
+    </message>
+    <message>
+        <source>1 photo is left out, since the alignment found no pose that holds: %1.</source>
+        <translation>Pominięto 1 zdjęcie, bo orientacja nie znalazła dla niego pewnej pozy: %1.</translation>
+    </message>
+    <message>
+        <source>%1 photos are left out, since the alignment found no pose that holds: %2.</source>
+        <translation>Pominięto %1 zdjęć, bo orientacja nie znalazła dla nich pewnej pozy: %2.</translation>
+    </message>
+    <message>
+        <source>Look at what the alignment says of each, mend it, and align again.</source>
+        <translation>Zobacz, co orientacja mówi o każdym, popraw to i zorientuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The alignment puts 1 photo nearer to another station than to the photo&apos;s own: %1.</source>
+        <translation>Orientacja umieszcza 1 zdjęcie bliżej innej stacji niż własnej: %1.</translation>
+    </message>
+    <message>
+        <source>The alignment puts %1 photos nearer to another station than to the photo&apos;s own: %2.</source>
+        <translation>Orientacja umieszcza %1 zdjęć bliżej innej stacji niż własnej: %2.</translation>
+    </message>
+    <message>
+        <source>The dataset has the solved places; retag the photos, and align again.</source>
+        <translation>Zbiór danych ma rozwiązane położenia; przypisz zdjęcia na nowo i zorientuj ponownie.</translation>
+    </message>
+    <message>
+        <source>1 photo has left the alignment, which was made with the earlier places; align again before you export.</source>
+        <translation>1 zdjęcie opuściło orientację, którą wykonano z wcześniejszymi położeniami; zorientuj ponownie przed eksportem.</translation>
+    </message>
+    <message>
+        <source>%1 photos have left the alignment, which was made with the earlier places; align again before you export.</source>
+        <translation>%1 zdjęć opuściło orientację, którą wykonano z wcześniejszymi położeniami; zorientuj ponownie przed eksportem.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

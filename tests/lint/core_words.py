@@ -8,7 +8,10 @@ MET = ("core/base/file.cpp", "core/base/folder.cpp", "core/base/progress.cpp", "
        "core/photo/picture/integrity.cpp", "core/store/database.cpp", "core/store/survey_store.cpp", "core/survey/room.cpp")
 # The work that the window waits for.
 WORKED = ("core/align/", "core/dataset/", "core/jobs/", "core/place/", "core/render/", "core/store/")
-WORDS = ("ui/look/core_errors.cpp", "ui/look/core_words.cpp")
+# What an alignment says of photos, tags and parts of a survey.
+ALIGNED = ("core/align/check/", "core/align/free/", "core/align/solve/", "core/align/tags/", "core/jobs/survey/align_",
+           "core/jobs/survey/solution_findings.cpp")
+WORDS = ("ui/look/core_alignment.cpp", "ui/look/core_errors.cpp", "ui/look/core_words.cpp")
 # Sentences for programmers, about options that no field of the window sets; and for people at a command line.
 NOT_MET = re.compile(r"\boptions?\b|must lie|must be|time scale|TMPDIR|--|There is no %1 %2|cannot be used: it must|libcurl|^%1 is left|"
                      r"^The %1 cannot be used|^The mask")
@@ -60,6 +63,21 @@ def told(text):
                 yield text.count("\n", 0, match.start()) + 1, part
 
 
+def aligned(text):
+    """(line, sentence) of each warning and each flag of a photo that a source adds to a report."""
+    for match in re.finditer(r"\b(?:warnings|flags|doubts|said)\.push_back\(|\bwarn\(alignment,|\btell\(|\b(?:doubt|why) = (?=[\"t])", text):
+        called = match.group(0)
+        if called.endswith("= "):
+            end = re.compile(r"(?:%s|[^;\"])*;" % STRING, re.S).match(text, match.end()).end()
+            given = [text[match.end():end - 1].strip()]
+        else:
+            given = arguments(text, text.index("(", match.start()))
+        sentence = spelled(given[0] if called == "tell(" else given[-1])
+        if sentence and not NOT_MET.search(sentence):
+            for part in re.split(r"(?<=[.!?])\s+(?=[A-Z%])", sentence):
+                yield text.count("\n", 0, match.start()) + 1, part
+
+
 def steps(text):
     """(line, words) of each step of which a source reports progress."""
     for match in re.finditer(r"\bprogress\(", text):
@@ -76,8 +94,9 @@ def core_words(tree):
     complaints = []
     for name, text in sorted(tree.sources.items()):
         said = list(told(text)) if name.startswith(MET) else []
+        said += list(aligned(text)) if name.startswith(ALIGNED) else []
         for line, sentence in said + list(steps(text) if name.startswith(WORKED) else ()):
             asked = expression(sentence)
             if not any(expression(one).fullmatch(sentence) or asked.fullmatch(one) for one in known):
-                complaints.append("%s:%d: the window cannot translate %r; add the sentence to ui/look/core_errors.cpp" % (name, line, sentence))
+                complaints.append("%s:%d: the window cannot translate %r; add the sentence to one of ui/look/core_*.cpp" % (name, line, sentence))
     return complaints

@@ -161,6 +161,10 @@ class BrokenTree(unittest.TestCase):
         self.write("core/align/solve.cpp", 'progress.progress(0.5, text("Solving photo ", i, " of ", n));\n' + SUBJECT)
         self.expect("core_words", "core/align/solve.cpp:1", "Solving photo %1 of %2")
 
+    def test_finds_what_an_alignment_says_that_the_window_cannot_translate(self):
+        self.write("core/align/solve/solve.cpp", 'pose.doubt = "It looks away. Turn it.";\n' + SUBJECT)
+        self.expect("core_words", "core/align/solve/solve.cpp:1", "Turn it.")
+
     def test_counts_the_files_of_the_product(self):
         for i in range(860):
             self.write("core/base/room%d/part%d.cpp" % (i // 20, i), SUBJECT)

@@ -297,6 +297,7 @@ const std::vector<Pattern>& patterns() {
         };
         std::for_each(std::begin(kSentences), std::end(kSentences), add);
         std::for_each(coreErrors().begin(), coreErrors().end(), add);
+        std::for_each(alignmentSentences().begin(), alignmentSentences().end(), add);
         std::for_each(std::begin(kSteps), std::end(kSteps), add);
         return made;
     }();

@@ -23,4 +23,8 @@ QString coreWords(const std::string& text);
 /// core/survey, core/jobs. tests/lint compares them with these.
 std::span<const char* const> coreErrors();
 
+/// The sentences that alignments say of photos, tags and parts of a survey. "%1" and so on stand for values.
+/// Sources: core/align, core/jobs/survey. tests/lint compares them with these.
+std::span<const char* const> alignmentSentences();
+
 } // namespace spherewalk::ui

@@ -349,7 +349,7 @@ void warnOfQuality(Alignment& alignment, const Component& component, const Solve
         warn(alignment, progress,
              text("The positions of ", which, " contradict what the photos show of them (",
                   static_cast<int>(100 * made.orientation.agreeingShare),
-                  " % of the directions agree). Check the position tags."));
+                  " % of the directions agree). Check the position tags, or state how rough they are."));
     }
     if (made.quality.agreeingShare < kGoodAgreeingShare) {
         warn(alignment, progress,

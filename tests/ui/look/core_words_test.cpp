@@ -54,6 +54,13 @@ TEST_F(CoreWordsTest, EachErrorIsKnownWithAnyValues) {
     }
 }
 
+TEST_F(CoreWordsTest, EachSentenceOfAnAlignmentIsKnownWithAnyValues) {
+    for (const char* said : alignmentSentences()) {
+        const QString sentence = filled(QString::fromUtf8(said), "kitchen-");
+        EXPECT_EQ(coreWords(sentence), "[" + sentence + "]");
+    }
+}
+
 TEST_F(CoreWordsTest, EachErrorIsThereOnce) {
     std::set<std::string> all;
     for (const char* error : coreErrors()) {
