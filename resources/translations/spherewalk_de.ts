@@ -2441,6 +2441,10 @@
         <source>%1 photos have left the alignment, which was made with the earlier places; align again before you export.</source>
         <translation>%1 Fotos haben die Ausrichtung verlassen, die mit den früheren Orten gemacht wurde; richten Sie vor dem Export noch einmal aus.</translation>
     </message>
+    <message>
+        <source>Its place contradicts how far the position tags put it from a neighbour: what both show alike may be of two places.</source>
+        <translation>Sein Ort widerspricht dem Abstand, den die Ortsangaben zu einem Nachbarn nennen: Was beide gleich zeigen, kann von zwei Orten sein.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

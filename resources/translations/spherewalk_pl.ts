@@ -2451,6 +2451,10 @@
         <source>%1 photos have left the alignment, which was made with the earlier places; align again before you export.</source>
         <translation>%1 zdjęć opuściło orientację, którą wykonano z wcześniejszymi położeniami; zorientuj ponownie przed eksportem.</translation>
     </message>
+    <message>
+        <source>Its place contradicts how far the position tags put it from a neighbour: what both show alike may be of two places.</source>
+        <translation>Jego położenie przeczy odległości od sąsiedniego zdjęcia, która wynika z podanych położeń: to, co oba pokazują podobnie, może pochodzić z dwóch miejsc.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -56,6 +56,9 @@ constexpr const char* kOfAlignments[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "How it is turned against the others is not known: its position asks for another turn "
                       "than what it shows in common with its neighbours."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Its place contradicts how far the position tags put it from a neighbour: what both "
+                      "show alike may be of two places."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Check the positions."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Its matches contradict where the other photos are."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Check its position tag."),

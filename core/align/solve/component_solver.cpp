@@ -57,6 +57,13 @@ void followBaselines(const ComponentInput& input, Unknowns& unknowns) {
     constexpr int kRounds = 10;
     constexpr double kLeastWayM = 0.05;
     const std::vector<BaselineRow> rows = baselineRows(input, unknowns);
+    const auto sigmaOf = [&](const BaselineRow& row) {
+        const auto of = [&](int photo) {
+            const auto i = static_cast<std::size_t>(unknowns.photo[static_cast<std::size_t>(photo)]);
+            return input.priors[i].positionSigmaM;
+        };
+        return std::hypot(of(row.a), of(row.b));
+    };
     const auto count = static_cast<Eigen::Index>(3 * unknowns.photo.size());
     for (int round = 0; round < kRounds; ++round) {
         std::vector<Eigen::Triplet<double>> entries;
@@ -74,7 +81,11 @@ void followBaselines(const ComponentInput& input, Unknowns& unknowns) {
             const auto b = static_cast<std::size_t>(row.b);
             const Eigen::Vector3d way = unknowns.state(b).positionM - unknowns.state(a).positionM;
             const Eigen::Vector3d planned = unknowns.plannedM[b] - unknowns.plannedM[a];
-            const double length = std::max({row.direction.dot(way), 0.1 * planned.norm(), kLeastWayM});
+            // Matches do not tell how long a way is: without the tags' word, it would shrink to nothing
+            // wherever its direction contradicts them.
+            const double leastM =
+                std::max({planned.norm() - 2 * sigmaOf(row), 0.1 * planned.norm(), kLeastWayM});
+            const double length = std::max(row.direction.dot(way), leastM);
             const double sigmaM = row.sigmaRad * length;
             const double miss = (way - length * row.direction).norm() / sigmaM;
             const double weight = 1 / (sigmaM * sigmaM * (1 + miss * miss / 25));

@@ -70,10 +70,39 @@ std::vector<std::string> leanWarnings(const Alignment& alignment, const Componen
     return said;
 }
 
+namespace {
+
+/// Photos that were solved much nearer to a neighbour than rough tags allow. Matches do not tell how long a
+/// way is, so a direction that contradicts the tags draws photos together.
+std::vector<bool> squeezedPhotos(const ComponentInput& input, const ComponentState& state) {
+    std::vector<bool> isSqueezed(state.unknowns.photo.size(), false);
+    if (!input.candidates.solvesPlaces) {
+        return isSqueezed;
+    }
+    for (const int at : input.candidates.chosen) {
+        const PairEstimate& estimate = input.candidates.estimates[static_cast<std::size_t>(at)];
+        const auto a =
+            static_cast<std::size_t>(input.candidates.indexOf[static_cast<std::size_t>(estimate.a)]);
+        const auto b =
+            static_cast<std::size_t>(input.candidates.indexOf[static_cast<std::size_t>(estimate.b)]);
+        const double plannedM = (state.unknowns.plannedM[b] - state.unknowns.plannedM[a]).norm();
+        const double solvedM = (state.unknowns.state(b).positionM - state.unknowns.state(a).positionM).norm();
+        const double sigmaM = std::hypot(input.priors[static_cast<std::size_t>(estimate.a)].positionSigmaM,
+                                         input.priors[static_cast<std::size_t>(estimate.b)].positionSigmaM);
+        if (estimate.baselineInA && solvedM < std::max(plannedM - 2 * sigmaM, 0.1 * plannedM)) {
+            isSqueezed[a] = isSqueezed[b] = true;
+        }
+    }
+    return isSqueezed;
+}
+
+} // namespace
+
 void doubtPhotos(const ComponentInput& input, const ComponentState& state, std::span<const PairSides> sides,
                  TravelSign travel, Alignment& alignment) {
     const std::vector<bool> isUnclear = unclearSides(state, sides);
     const std::vector<bool> isBent = bentPhotos(input, state);
+    const std::vector<bool> isSqueezed = squeezedPhotos(input, state);
     // Photos of one place have no way of travel to mistake.
     const bool isSignUnclear = travel != TravelSign::Right &&
                                std::ranges::any_of(sides, [](const auto& pair) { return !pair.isTurn; });
@@ -95,6 +124,9 @@ void doubtPhotos(const ComponentInput& input, const ComponentState& state, std::
         } else if (isBent[i]) {
             pose.doubt = "How it is turned against the others is not known: its position asks for another "
                          "turn than what it shows in common with its neighbours. Check the positions.";
+        } else if (isSqueezed[i]) {
+            pose.doubt = "Its place contradicts how far the position tags put it from a neighbour: what both "
+                         "show alike may be of two places. Check the positions.";
         }
         if (!pose.doubt.empty()) {
             pose.sigmaYaw = pose.sigmaPitch = pose.sigmaRoll = pose.sigmaOwn = Degrees(180);
