@@ -89,7 +89,7 @@ std::vector<bool> squeezedPhotos(const ComponentInput& input, const ComponentSta
         const double solvedM = (state.unknowns.state(b).positionM - state.unknowns.state(a).positionM).norm();
         const double sigmaM = std::hypot(input.priors[static_cast<std::size_t>(estimate.a)].positionSigmaM,
                                          input.priors[static_cast<std::size_t>(estimate.b)].positionSigmaM);
-        if (estimate.baselineInA && solvedM < std::max(plannedM - 2 * sigmaM, 0.1 * plannedM)) {
+        if (estimate.baselineInA && solvedM < std::max(plannedM - 3 * sigmaM, 0.1 * plannedM)) {
             isSqueezed[a] = isSqueezed[b] = true;
         }
     }

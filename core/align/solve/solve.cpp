@@ -157,7 +157,7 @@ ComponentInput inputOf(const Component& component, std::span<const PhotoPrior> p
 /// along: a model without them would explain the matches by turns.
 bool areRough(const Component& component, std::span<const PhotoPrior> priors,
               std::span<const PairEstimate> estimates) {
-    constexpr double kRoughRad = 0.2;
+    constexpr double kRoughRad = 0.1;
     constexpr double kLeastParallaxRad = 0.02; // The lenses of one camera make half of it.
     std::vector<double> sigmas;
     for (const GraphEdge& edge : component.edges) {
