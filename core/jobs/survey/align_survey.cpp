@@ -193,8 +193,8 @@ class AlignRun {
         std::erase_if(efforts, [&](align::Effort effort) {
             return effort == m_report.effort || (m_options.isFree && effort < m_report.effort);
         });
-        std::ranges::stable_partition(efforts,
-                                      [&](align::Effort effort) { return effort > m_report.effort; });
+        std::stable_partition(efforts.begin(), efforts.end(),
+                              [&](align::Effort effort) { return effort > m_report.effort; });
         const std::vector<int> counts = m_featureCounts; // What shows nothing is not looked at again.
         double begin = 0.76;
         for (const align::Effort effort : efforts) {
