@@ -32,6 +32,7 @@ struct BaselineRow {
     int b = 0;
     Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< In the room.
     double sigmaRad = 0;
+    double tagSigmaM = 0; ///< Of the way by the tags.
 };
 
 std::vector<BaselineRow> baselineRows(const ComponentInput& input, const Unknowns& unknowns) {
@@ -44,7 +45,9 @@ std::vector<BaselineRow> baselineRows(const ComponentInput& input, const Unknown
             const int b = input.candidates.indexOf[static_cast<std::size_t>(estimate.b)];
             rows.push_back({a, b,
                             unknowns.state(static_cast<std::size_t>(a)).roomFromPhoto * *estimate.baselineInA,
-                            std::hypot(kLeastSigmaRad, estimate.baselineSigmaRad)});
+                            std::hypot(kLeastSigmaRad, estimate.baselineSigmaRad),
+                            waySigmaM(input.priors[static_cast<std::size_t>(estimate.a)],
+                                      input.priors[static_cast<std::size_t>(estimate.b)])});
         }
     }
     return rows;
@@ -57,13 +60,6 @@ void followBaselines(const ComponentInput& input, Unknowns& unknowns) {
     constexpr int kRounds = 10;
     constexpr double kLeastWayM = 0.05;
     const std::vector<BaselineRow> rows = baselineRows(input, unknowns);
-    const auto sigmaOf = [&](const BaselineRow& row) {
-        const auto of = [&](int photo) {
-            const auto i = static_cast<std::size_t>(unknowns.photo[static_cast<std::size_t>(photo)]);
-            return input.priors[i].positionSigmaM;
-        };
-        return std::hypot(of(row.a), of(row.b));
-    };
     const auto count = static_cast<Eigen::Index>(3 * unknowns.photo.size());
     for (int round = 0; round < kRounds; ++round) {
         std::vector<Eigen::Triplet<double>> entries;
@@ -84,7 +80,7 @@ void followBaselines(const ComponentInput& input, Unknowns& unknowns) {
             // Matches do not tell how long a way is: without the tags' word, it would shrink to nothing
             // wherever its direction contradicts them.
             const double leastM =
-                std::max({planned.norm() - 2 * sigmaOf(row), 0.1 * planned.norm(), kLeastWayM});
+                std::max({planned.norm() - 2 * row.tagSigmaM, 0.1 * planned.norm(), kLeastWayM});
             const double length = std::max(row.direction.dot(way), leastM);
             const double sigmaM = row.sigmaRad * length;
             const double miss = (way - length * row.direction).norm() / sigmaM;

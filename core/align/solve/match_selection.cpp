@@ -152,8 +152,8 @@ UsedPair emptyPair(const Candidates& candidates, const Unknowns& unknowns, std::
     pair.pair = at;
     pair.a = candidates.indexOf[static_cast<std::size_t>(given.a)];
     pair.b = candidates.indexOf[static_cast<std::size_t>(given.b)];
-    const double sigma = std::hypot(priors[static_cast<std::size_t>(given.a)].positionSigmaM,
-                                    priors[static_cast<std::size_t>(given.b)].positionSigmaM);
+    const double sigma =
+        waySigmaM(priors[static_cast<std::size_t>(given.a)], priors[static_cast<std::size_t>(given.b)]);
     const PairEstimate& estimate = candidates.estimates[static_cast<std::size_t>(at)];
     const auto placeOf = [&](int photo) {
         const auto i = static_cast<std::size_t>(photo);

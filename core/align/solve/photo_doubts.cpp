@@ -87,8 +87,8 @@ std::vector<bool> squeezedPhotos(const ComponentInput& input, const ComponentSta
             static_cast<std::size_t>(input.candidates.indexOf[static_cast<std::size_t>(estimate.b)]);
         const double plannedM = (state.unknowns.plannedM[b] - state.unknowns.plannedM[a]).norm();
         const double solvedM = (state.unknowns.state(b).positionM - state.unknowns.state(a).positionM).norm();
-        const double sigmaM = std::hypot(input.priors[static_cast<std::size_t>(estimate.a)].positionSigmaM,
-                                         input.priors[static_cast<std::size_t>(estimate.b)].positionSigmaM);
+        const double sigmaM = waySigmaM(input.priors[static_cast<std::size_t>(estimate.a)],
+                                        input.priors[static_cast<std::size_t>(estimate.b)]);
         if (estimate.baselineInA && solvedM < std::max(plannedM - 3 * sigmaM, 0.1 * plannedM)) {
             isSqueezed[a] = isSqueezed[b] = true;
         }

@@ -166,7 +166,7 @@ bool areRough(const Component& component, std::span<const PhotoPrior> priors,
         const PhotoPrior& b = priors[static_cast<std::size_t>(estimate.b)];
         const double apart = (b.positionM - a.positionM).norm();
         if (estimate.baselineInA && estimate.parallaxRad > kLeastParallaxRad && apart > 0) {
-            sigmas.push_back(std::hypot(a.positionSigmaM, b.positionSigmaM) / apart);
+            sigmas.push_back(waySigmaM(a, b) / apart);
         }
     }
     return !sigmas.empty() && median(std::move(sigmas)) > kRoughRad;

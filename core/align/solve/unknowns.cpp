@@ -141,6 +141,10 @@ PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> 
     return {scatter(std::move(along), freedom.x()), scatter(std::move(height), freedom.z())};
 }
 
+double waySigmaM(const PhotoPrior& a, const PhotoPrior& b) {
+    return std::hypot(a.positionSigmaM, b.positionSigmaM);
+}
+
 double tagMisfit(const Unknowns& unknowns, std::span<const PhotoPrior> priors) {
     constexpr double kMost = 3;
     double sum = 0;

@@ -90,6 +90,9 @@ struct PriorScatter {
 /// few photos are left to tell.
 PriorScatter priorScatter(const Unknowns& unknowns, std::span<const PhotoPrior> priors);
 
+/// Standard deviation of the way between two photos by their tags, along any direction of the floor.
+double waySigmaM(const PhotoPrior& a, const PhotoPrior& b);
+
 /// How far the places lie from their tags across the floor, in standard deviations of the tags: the root of
 /// the mean square, in which no photo counts for more than three.
 double tagMisfit(const Unknowns& unknowns, std::span<const PhotoPrior> priors);
