@@ -223,7 +223,10 @@ Features found(const RgbImage& photo, int cameraWidth, const FeatureOptions& opt
                     text("Could not look for features in a photo of ", photo.width(), " x ", photo.height(),
                          " pixels: it must have 64 x 32 or more."));
     }
-    return FeatureFinder(options, mask, stop, cameraWidth).find(grey(photo));
+    const GreyImage luma = grey(photo);
+    Features features = FeatureFinder(options, mask, stop, cameraWidth).find(luma);
+    features.vertical = findVertical(luma, options, mask);
+    return features;
 }
 
 } // namespace

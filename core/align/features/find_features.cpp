@@ -26,7 +26,7 @@ static_assert(std::endian::native == std::endian::little, "the file is little en
 
 namespace {
 
-constexpr std::string_view kMagic = "SWFEAT01";
+constexpr std::string_view kMagic = "SWFEAT02";
 constexpr std::size_t kDigestBytes = 64;
 constexpr std::uint32_t kMostCount = 50000;
 constexpr std::uint32_t kMostDescriptorBytes = 128;
@@ -50,7 +50,9 @@ bool isUsable(const Features& features) {
     const auto isUnit = [](const Eigen::Vector3f& b) { return std::abs(b.norm() - 1) < 1e-4F; };
     const auto isSigma = [](float sigma) { return sigma > 0 && sigma < 1; };
     const auto isFinite = [](float response) { return std::isfinite(response); };
-    return std::all_of(features.bearings.begin(), features.bearings.end(), isUnit) &&
+    const bool isUpright = !features.vertical || (std::abs(features.vertical->upInPhoto.norm() - 1) < 1e-9 &&
+                                                  isSigma(static_cast<float>(features.vertical->sigmaRad)));
+    return isUpright && std::all_of(features.bearings.begin(), features.bearings.end(), isUnit) &&
            std::all_of(features.sigmasRad.begin(), features.sigmasRad.end(), isSigma) &&
            std::all_of(features.responses.begin(), features.responses.end(), isFinite);
 }
@@ -71,6 +73,9 @@ Bytes toBytes(const Features& features, std::string_view key) {
     append(features.sigmasRad.data(), count, bytes);
     append(features.responses.data(), count, bytes);
     append(features.descriptors.data(), features.descriptors.size(), bytes);
+    const Vertical vertical = features.vertical.value_or(Vertical{});
+    append(vertical.upInPhoto.data(), 3, bytes);
+    append(&vertical.sigmaRad, 1, bytes); // 0 if there is none.
     const std::string digest = sha256Hex(bytes);
     append(digest.data(), digest.size(), bytes);
     return bytes;
@@ -94,7 +99,8 @@ std::optional<Features> fromBytes(ByteView bytes, std::string_view key) {
     const std::size_t each = 5 * sizeof(float) + descriptorBytes;
     if (keyBytes != key.size() || textOf(rest.first(key.size())) != key || detector > 2 ||
         count > kMostCount || descriptorBytes > kMostDescriptorBytes || descriptorBytes % 32 != 0 ||
-        (count > 0 && descriptorBytes == 0) || rest.size() - key.size() != count * each) {
+        (count > 0 && descriptorBytes == 0) ||
+        rest.size() - key.size() != count * each + 4 * sizeof(double)) {
         return std::nullopt;
     }
     rest = rest.subspan(key.size());
@@ -111,6 +117,12 @@ std::optional<Features> fromBytes(ByteView bytes, std::string_view key) {
     take(rest, count, features.sigmasRad.data());
     take(rest, count, features.responses.data());
     take(rest, features.descriptors.size(), features.descriptors.data());
+    Vertical vertical;
+    take(rest, 3, vertical.upInPhoto.data());
+    take(rest, 1, &vertical.sigmaRad);
+    if (vertical.sigmaRad != 0) {
+        features.vertical = vertical;
+    }
     return isUsable(features) ? std::optional(std::move(features)) : std::nullopt;
 }
 

@@ -48,11 +48,6 @@ cv::Ptr<cv::Feature2D> made(const FeatureOptions& options) {
                            cv::ORB::HARRIS_SCORE, 31, 8);
 }
 
-/// The picture's pixels as OpenCV's matrix, without a copy.
-cv::Mat matrixOf(const GreyImage& picture) {
-    return {picture.height(), picture.width(), CV_8U, const_cast<std::uint8_t*>(picture.values().data())};
-}
-
 /// The true coordinate of a corner on a level of ORB's pyramid. OpenCV multiplies by the step instead of the
 /// true ratio of the sizes, and not about the pixels' corners.
 double fromOrbLevel(double coordinate, int octave, int size) {
@@ -73,6 +68,10 @@ void toRoots(std::uint8_t* values, int count) {
 }
 
 } // namespace
+
+cv::Mat matrixOf(const GreyImage& picture) {
+    return {picture.height(), picture.width(), CV_8U, const_cast<std::uint8_t*>(picture.values().data())};
+}
 
 struct KeypointDetector::State {
     Detector kind;

@@ -11,7 +11,14 @@
 #include <memory>
 #include <vector>
 
+namespace cv {
+class Mat;
+}
+
 namespace spherewalk::align {
+
+/// The picture's pixels as OpenCV's matrix, without a copy.
+cv::Mat matrixOf(const GreyImage& picture);
 
 /// A spot of a picture that can be found again in another picture.
 struct Keypoint {

@@ -25,6 +25,8 @@ constexpr double kLeastPointParallax = 5;
 constexpr double kFirstReachRad = 0.06; ///< Rays that miss by more at the first poses are of something else.
 constexpr double kReachSigmas = 4;
 constexpr double kLargestScale = 8;
+constexpr double kUnevenFloor = 0.004; ///< Standard deviation, as a share of the lens's height.
+constexpr double kFloorBand = 0.02;    ///< About the floor, within which points lie on it, as such a share.
 
 /// What one photo gives to one thing.
 struct Sighting {
@@ -219,23 +221,68 @@ double rayScale(const Bundle& bundle) {
     return residuals.empty() ? 1 : std::clamp(median(std::move(residuals)) / 1.18, 0.5, kLargestScale);
 }
 
+/// How far a point on the floor lies above the floor's height, as a share of the first photo's height above
+/// it, in standard deviations. As a share, since else the whole would shrink. Parameters: the point, and the
+/// floor's height.
+class FloorBlock : public ceres::SizedCostFunction<1, 3, 1> {
+  public:
+    FloorBlock(double photo, double sigma) : m_photo(photo), m_sigma(sigma) {}
+
+    bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+        const double floor = parameters[1][0];
+        const double over = (parameters[0][2] - floor) / (m_photo - floor);
+        const double slope = 1 / (m_sigma * (m_photo - floor));
+        residuals[0] = over / m_sigma;
+        if (jacobians != nullptr && jacobians[0] != nullptr) {
+            Eigen::Map<Eigen::RowVector3d> row(jacobians[0]);
+            row = Eigen::RowVector3d(0, 0, slope);
+        }
+        if (jacobians != nullptr && jacobians[1] != nullptr) {
+            jacobians[1][0] = (over - 1) * slope;
+        }
+        return std::isfinite(over);
+    }
+
+  private:
+    double m_photo;
+    double m_sigma;
+};
+
+/// The floor below the photos where they know what is level.
+std::optional<FloorPlane> levelFloor(const Bundle& bundle, std::span<const PhotoPrior> priors) {
+    const auto level = static_cast<std::size_t>(std::ranges::count_if(priors, saysUp));
+    if (2 * level < priors.size()) {
+        return std::nullopt;
+    }
+    std::vector<Eigen::Vector3d> photos;
+    for (const PhotoState& photo : bundle.photos) {
+        photos.push_back(photo.positionM);
+    }
+    std::vector<Eigen::Vector3d> points;
+    for (const SeenPoint& point : bundle.points) {
+        points.push_back(point.at);
+    }
+    return floorBelow(photos, points, Eigen::Vector3d::UnitZ(), Degrees(3));
+}
+
 /// One run of least squares on the present points and rays.
 class Adjustment {
   public:
     Adjustment(Bundle& bundle, std::span<const PhotoPrior> priors, double width, bool solvesLenses)
         : m_bundle(bundle),
           m_turns(bundle.photos.size(), {0, 0, 0}),
-          m_ahead(bundle.photos.front().lenses.aheadM) {
+          m_ahead(bundle.photos.front().lenses.aheadM),
+          m_trust(std::min(1.0, bundle.scale)) {
         m_problem.AddParameterBlock(&m_ahead, 1);
         if (!solvesLenses) {
             m_problem.SetParameterBlockConstant(&m_ahead);
         }
         for (std::size_t i = 0; i < bundle.photos.size(); ++i) {
-            const UpPrior up = upPrior(priors[i]);
+            const Vertical up = knownUp(priors[i]);
             m_problem.AddParameterBlock(m_turns[i].data(), 3);
             m_problem.AddParameterBlock(bundle.photos[i].positionM.data(), 3);
             m_problem.AddResidualBlock(
-                new UprightBlock(bundle.photos[i].roomFromPhoto, up.upInPhoto, up.sigmaRad),
+                new UprightBlock(bundle.photos[i].roomFromPhoto, up.upInPhoto, m_trust * up.sigmaRad),
                 new ceres::HuberLoss(2), m_turns[i].data());
         }
         m_problem.SetParameterBlockConstant(bundle.photos.front().positionM.data());
@@ -247,6 +294,27 @@ class Adjustment {
                     new ceres::CauchyLoss(width), m_turns[i].data(), bundle.photos[i].positionM.data(),
                     point.at.data(), &m_ahead);
             }
+        }
+    }
+
+    /// Holds points that lie on one floor at one height. What lies within a height of the lens from each
+    /// other counts once, since a floor that is uneven is so for all of it.
+    void keepLevel(const FloorPlane& floor) {
+        m_floor = floor.at;
+        std::vector<SeenPoint*> on;
+        for (SeenPoint& point : m_bundle.points) {
+            if (std::abs(point.at.z() - floor.at) < kFloorBand * floor.lensHeight) {
+                on.push_back(&point);
+            }
+        }
+        for (SeenPoint* const point : on) {
+            const auto near = std::ranges::count_if(on, [&](const SeenPoint* other) {
+                return (other->at - point->at).norm() < floor.lensHeight;
+            });
+            m_problem.AddResidualBlock(
+                new FloorBlock(m_bundle.photos.front().positionM.z(),
+                               m_trust * kUnevenFloor * std::sqrt(static_cast<double>(near))),
+                nullptr, point->at.data(), &m_floor);
         }
     }
 
@@ -279,7 +347,11 @@ class Adjustment {
   private:
     Bundle& m_bundle;
     std::vector<std::array<double, 3>> m_turns;
-    double m_ahead; ///< In the unit of the positions.
+    double m_ahead;     ///< In the unit of the positions.
+    double m_floor = 0; ///< Height, in that unit.
+    /// What residuals keep below the features' stated errors is what those have in common: it does not make
+    /// them truer than the floor and what is level.
+    double m_trust;
     ceres::Problem m_problem;
 };
 
@@ -324,7 +396,11 @@ void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& pr
         std::erase_if(bundle.points, [](const SeenPoint& point) { return !point.isPlaced; });
         bundle.scale = round == 0 ? 1 : rayScale(bundle);
         const bool solvesLenses = round == 1 || (round > 1 && bundle.photos.front().lenses.aheadM != 0);
-        Adjustment(bundle, priors, kWidths[round], solvesLenses).solve(kIterations[round], step, stop);
+        Adjustment adjustment(bundle, priors, kWidths[round], solvesLenses);
+        if (const auto floor = round > 1 ? levelFloor(bundle, priors) : std::nullopt) {
+            adjustment.keepLevel(*floor);
+        }
+        adjustment.solve(kIterations[round], step, stop);
         bundle.scale = rayScale(bundle);
         if (solvesLenses) {
             keepClearLenses(bundle);

@@ -96,8 +96,7 @@ Part startOf(const Component& component, std::span<const PhotoPrior> priors, std
 
 /// How far what the photos say of up may err: nothing but a guess where hardly any says it.
 Radians mostLean(const Part& part) {
-    const auto said = std::ranges::count_if(
-        part.priors, [](const PhotoPrior& prior) { return prior.levelFromPhoto.has_value(); });
+    const auto said = std::ranges::count_if(part.priors, saysUp);
     return 2 * static_cast<std::size_t>(said) >= part.priors.size() ? Degrees(3) : Degrees(15);
 }
 

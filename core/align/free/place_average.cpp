@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "free/placing.h"
-#include "graph/sparse_solve.h"
+#include "graph/pose_graph.h"
 #include "pairs/disjoint_sets.h"
 #include "pairs/pair_geometry.h"
 

@@ -9,6 +9,8 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -205,6 +207,15 @@ std::string namesOf(std::span<const int> photos, std::span<const PhotoPrior> pri
         names += text(i == 0 ? "" : ", ", printable(priors[static_cast<std::size_t>(photos[i])].name, 40));
     }
     return photos.size() > kNamed ? text(names, " and ", photos.size() - kNamed, " more") : names;
+}
+
+std::optional<Eigen::MatrixXd> solvedSparse(const Eigen::SparseMatrix<double>& matrix,
+                                            const Eigen::MatrixXd& right) {
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
+    if (factor.info() != Eigen::Success) {
+        return std::nullopt;
+    }
+    return Eigen::MatrixXd(factor.solve(right));
 }
 
 } // namespace spherewalk::align

@@ -4,7 +4,9 @@
 #include "spherewalk/align/photo_pair.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/SparseCore>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,6 +53,12 @@ Eigen::Vector3d disagreement(const GraphEdge& edge, std::span<const Eigen::Quate
 /// first the sum of angles, then a sum that ignores edges which disagree by degrees.
 /// Source: Chatterjee and Govindu, Efficient and Robust Large-Scale Rotation Averaging, 2013.
 std::vector<Eigen::Quaterniond> averagedRotations(const Component& component, std::span<const int> indexOf);
+
+/// The solution of matrix * x = right, one column each. Empty if the matrix cannot be factored. Range: the
+/// matrix is symmetric and definite; its lower half is read. Eigen's factorisation is compiled here alone,
+/// since it takes seconds.
+std::optional<Eigen::MatrixXd> solvedSparse(const Eigen::SparseMatrix<double>& matrix,
+                                            const Eigen::MatrixXd& right);
 
 /// The names of some photos for a sentence: five of them, and how many more there are.
 std::string namesOf(std::span<const int> photos, std::span<const PhotoPrior> priors);

@@ -51,12 +51,9 @@ Eigen::Quaterniond uprightFromComponent(const Component& component, std::span<co
     std::vector<Eigen::Vector3d> assumed;
     for (std::size_t i = 0; i < component.photos.size(); ++i) {
         const PhotoPrior& prior = photos[static_cast<std::size_t>(component.photos[i])];
-        const Eigen::Quaterniond photoFromLevel =
-            prior.levelFromPhoto ? prior.levelFromPhoto->conjugate() : Eigen::Quaterniond::Identity();
-        const Eigen::Vector3d up =
-            component.componentFromPhoto[i] * (photoFromLevel * Eigen::Vector3d::UnitZ());
+        const Eigen::Vector3d up = component.componentFromPhoto[i] * knownUp(prior).upInPhoto;
         if (up.allFinite()) {
-            (prior.levelFromPhoto ? said : assumed).push_back(up);
+            (saysUp(prior) ? said : assumed).push_back(up);
         }
     }
     return uprightFrom(robustMean(said.empty() ? assumed : said));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/pose_graph.h"
-#include "graph/sparse_solve.h"
 #include "pairs/disjoint_sets.h"
 #include "pairs/pair_geometry.h"
 

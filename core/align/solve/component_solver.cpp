@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/component_solver.h"
 
-#include "graph/sparse_solve.h"
+#include "graph/pose_graph.h"
 #include "solve/normal_equations.h"
 #include "solve/pair_normal.h"
 

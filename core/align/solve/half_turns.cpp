@@ -123,7 +123,7 @@ class TurnedSets {
     void keepUprightSet(const ComponentInput& input, const ComponentState& state) {
         std::vector<double> worth(state.unknowns.photo.size(), 0);
         for (std::size_t i = 0; i < worth.size(); ++i) {
-            const UpPrior up = upPrior(input.priors[static_cast<std::size_t>(state.unknowns.photo[i])]);
+            const Vertical up = knownUp(input.priors[static_cast<std::size_t>(state.unknowns.photo[i])]);
             const double lean = leanOf(state.unknowns.state(i).roomFromPhoto * up.upInPhoto).vectorRad.norm();
             worth[static_cast<std::size_t>(m_sets.of(static_cast<int>(i)))] += 1 - 0.01 * lean;
         }

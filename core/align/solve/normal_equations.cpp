@@ -74,7 +74,7 @@ std::vector<PriorRow> priorRows(const Columns& columns, const Unknowns& unknowns
         const PhotoPrior& prior = priors[static_cast<std::size_t>(unknowns.photo[i])];
         const std::array<int, 3> turned = columns.turn(i);
         if (turned[0] >= 0) {
-            const UpPrior up = upPrior(prior);
+            const Vertical up = knownUp(prior);
             const Eigen::Matrix<double, 2, 3> by =
                 leanOf(unknowns.reference[i] * up.upInPhoto).byTurn / up.sigmaRad;
             for (int axis = 0; axis < 2; ++axis) {

@@ -194,7 +194,7 @@ void addPhotos(ceres::Problem& problem, Unknowns& unknowns, std::span<const Phot
         const PhotoPrior& prior = priors[static_cast<std::size_t>(unknowns.photo[i])];
         problem.AddParameterBlock(unknowns.turn[i].data(), 3);
         if (solvesTilt(options.model)) {
-            const UpPrior up = upPrior(prior);
+            const Vertical up = knownUp(prior);
             problem.AddResidualBlock(new UprightBlock(unknowns.reference[i], up.upInPhoto, up.sigmaRad),
                                      new ceres::HuberLoss(kLargestPull), unknowns.turn[i].data());
         } else {

@@ -119,7 +119,7 @@ double report(const ComponentInput& input, Model model, const ComponentState& st
         pose.roomFromPhoto.translation = origin + where.positionM;
         pose.lenses = where.lenses;
         pose.lensSigmaM = state.unknowns.lensSigmaM;
-        const UpPrior up = upPrior(input.priors[static_cast<std::size_t>(state.unknowns.photo[i])]);
+        const Vertical up = statedUp(input.priors[static_cast<std::size_t>(state.unknowns.photo[i])]);
         pose.leanFromStated =
             Radians(leanOf(where.roomFromPhoto.normalized() * up.upInPhoto).vectorRad.norm());
         pose.sigmaYaw = Radians(sigmas.photos[i].yawRad);

@@ -235,7 +235,7 @@ SolveAttempt attempt(const Component& component, const ComponentInput& input,
 /// Whether more matches agree with one solution than with the other. Where places are solved along, any
 /// heading has places with which the matches agree; of two such solutions the one nearer to the tags wins.
 bool isBetter(const ComponentInput& input, const SolveAttempt& one, const SolveAttempt& other) {
-    constexpr double kAlike = 0.1;
+    constexpr double kAlike = 0.3;
     const double more = one.quality.agreeingShare - other.quality.agreeingShare;
     if (input.candidates.solvesPlaces && std::abs(more) < kAlike) {
         return tagMisfit(one.state.unknowns, input.priors) < tagMisfit(other.state.unknowns, input.priors);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "graph/sparse_solve.h"
+#include "graph/pose_graph.h"
 #include "pairs/pair_geometry.h"
 #include "solve/normal_equations.h"
 #include "solve/solution_report.h"
@@ -45,7 +45,7 @@ ErrorDraws unsolved(const Unknowns& unknowns, std::span<const PhotoPrior> priors
         const PhotoPrior& prior =
             priors[static_cast<std::size_t>(unknowns.photo[static_cast<std::size_t>(i)])];
         if (!solvesTilt(model)) {
-            made.turn.middleRows(3 * i, 2) = upPrior(prior).sigmaRad * normalDraws(2, random);
+            made.turn.middleRows(3 * i, 2) = knownUp(prior).sigmaRad * normalDraws(2, random);
         }
         if (!solvesPosition(model)) {
             made.position.middleRows(3 * i, 3) = offsetSigmasM(prior).asDiagonal() * normalDraws(3, random);

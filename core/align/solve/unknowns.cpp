@@ -102,8 +102,7 @@ void level(Unknowns& unknowns, std::span<const PhotoPrior> priors) {
     unknowns.rebase();
     for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
         const PhotoPrior& prior = priors[static_cast<std::size_t>(unknowns.photo[i])];
-        const Eigen::Quaterniond levelFromPhoto =
-            prior.levelFromPhoto.value_or(Eigen::Quaterniond::Identity()).normalized();
+        const Eigen::Quaterniond levelFromPhoto = align::levelFromPhoto(prior);
         // The turn about z that is nearest to a rotation has a quaternion with the same w and z.
         const Eigen::Quaterniond roomFromLevel = unknowns.reference[i] * levelFromPhoto.conjugate();
         const double heading = 2 * std::atan2(roomFromLevel.z(), roomFromLevel.w());
@@ -160,7 +159,7 @@ double commonLeanScatter(const Unknowns& unknowns, std::span<const PhotoPrior> p
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weights = 0;
     for (std::size_t i = 0; i < unknowns.photo.size(); ++i) {
-        const UpPrior up = upPrior(priors[static_cast<std::size_t>(unknowns.photo[i])]);
+        const Vertical up = knownUp(priors[static_cast<std::size_t>(unknowns.photo[i])]);
         const double weight = 1 / (up.sigmaRad * up.sigmaRad);
         sum += weight * leanOf(unknowns.state(i).roomFromPhoto * up.upInPhoto).vectorRad;
         weights += weight;
@@ -169,12 +168,42 @@ double commonLeanScatter(const Unknowns& unknowns, std::span<const PhotoPrior> p
     return (sum / weights).norm() / std::sqrt(variance);
 }
 
-UpPrior upPrior(const PhotoPrior& prior) {
+Vertical statedUp(const PhotoPrior& prior) {
     if (!prior.levelFromPhoto) {
         return {Eigen::Vector3d::UnitZ(), kUnsaidTiltRad};
     }
     return {prior.levelFromPhoto->normalized().conjugate() * Eigen::Vector3d::UnitZ(),
             std::max(prior.tiltSigma.value(), 1e-5)};
+}
+
+namespace {
+
+bool believesItsEdges(const PhotoPrior& prior) {
+    constexpr double kContradiction = 5; // standard deviations of what is stated
+    const Vertical stated = statedUp(prior);
+    return prior.seenVertical &&
+           (!prior.levelFromPhoto || angleBetween(prior.seenVertical->upInPhoto, stated.upInPhoto).value() <=
+                                         kContradiction * stated.sigmaRad);
+}
+
+} // namespace
+
+Vertical knownUp(const PhotoPrior& prior) {
+    constexpr double kBuiltRad = 1.7e-3; // Walls and doors stand upright to about 0.1 degrees.
+    if (!believesItsEdges(prior)) {
+        return statedUp(prior);
+    }
+    return {prior.seenVertical->upInPhoto, std::hypot(prior.seenVertical->sigmaRad, kBuiltRad)};
+}
+
+bool saysUp(const PhotoPrior& prior) {
+    return prior.levelFromPhoto || believesItsEdges(prior);
+}
+
+Eigen::Quaterniond levelFromPhoto(const PhotoPrior& prior) {
+    const Eigen::Quaterniond stated =
+        prior.levelFromPhoto.value_or(Eigen::Quaterniond::Identity()).normalized();
+    return (uprightFrom(stated * knownUp(prior).upInPhoto) * stated).normalized();
 }
 
 Lean leanOf(const Eigen::Vector3d& up) {

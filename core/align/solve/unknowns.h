@@ -48,18 +48,9 @@ struct Unknowns {
 Unknowns unknowns(std::span<const int> photos, std::span<const PhotoPrior> priors,
                   std::span<const Eigen::Quaterniond> roomFromPhoto);
 
-/// Sets every photo's tilt to what the photo says, as the model Yaw needs it. A photo that says none becomes
-/// upright. The heading stays; the turns become part of the references.
+/// Sets every photo's tilt to what is known of it, as the model Yaw needs it: levelFromPhoto(). The heading
+/// stays; the turns become part of the references.
 void level(Unknowns& unknowns, std::span<const PhotoPrior> priors);
-
-/// The direction that is up by what a photo says, in the photo's frame, with its standard deviation. For a
-/// photo that says nothing it is z, with 0.17 rad.
-struct UpPrior {
-    Eigen::Vector3d upInPhoto = Eigen::Vector3d::UnitZ();
-    double sigmaRad = 0;
-};
-
-UpPrior upPrior(const PhotoPrior& prior);
 
 /// How far a direction leans from +z: a vector across the floor, towards where it leans, as long as the
 /// angle.

@@ -88,19 +88,12 @@ class AlignRun {
         for (const store::PhotoRecord& photo : m_photos) {
             throwIfStopped(m_stop);
             const store::StationRecord& station = stations.at(photo.station);
-            align::PhotoPrior prior;
-            prior.name = text(photo.fileName, " (", station.name, ")");
-            prior.positionM = photo.positionM;
-            prior.positionSigmaM = m_options.positionSigmaM;
-            prior.placement = station.station.placement;
-            prior.stop = station.station.stop;
-            m_priors.push_back(std::move(prior));
+            m_priors.push_back(priorOf(m_store, photo, station, m_options.positionSigmaM, m_progress));
             AlignedPhoto aligned;
             aligned.photo = photo.id;
             aligned.file = photo.fileName;
             aligned.station = station.name;
             m_report.photos.push_back(std::move(aligned));
-            readTilt(m_store.photoFolder() / photo.fileName, m_priors.back(), m_progress);
             step.progress(static_cast<double>(m_priors.size()) / static_cast<double>(m_photos.size()),
                           "Reading what the photos say");
         }
@@ -138,8 +131,9 @@ class AlignRun {
         ProgressStep step(m_progress, 0.02, m_options.tagSizeM > 0 ? 0.4 : 0.6);
         m_features = featuresOf(m_all, m_effort.features, step);
         m_report.fromCache = m_features.fromCache;
-        for (const align::Features& features : m_features.photos) {
-            m_report.features += static_cast<std::size_t>(features.count());
+        for (std::size_t i = 0; i < m_features.photos.size(); ++i) {
+            m_report.features += static_cast<std::size_t>(m_features.photos[i].count());
+            m_priors[i].seenVertical = m_features.photos[i].vertical;
         }
         m_report.featureSeconds = secondsSince(begin);
     }
@@ -177,7 +171,7 @@ class AlignRun {
         align::PairOptions options;
         options.threads = m_options.threads;
         for (const align::PhotoPrior& prior : m_priors) {
-            options.levelFromPhoto.push_back(prior.levelFromPhoto.value_or(Eigen::Quaterniond::Identity()));
+            options.levelFromPhoto.push_back(align::levelFromPhoto(prior));
         }
         std::vector<align::PairEstimate> made = align::estimatePairs(pairs, options);
         throwIfStopped(m_stop);

@@ -291,17 +291,29 @@ std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
     return moves;
 }
 
-void readTilt(const std::filesystem::path& photo, align::PhotoPrior& prior, ProgressSink& progress) {
+align::PhotoPrior priorOf(const store::SurveyStore& store, const store::PhotoRecord& photo,
+                          const store::StationRecord& station, double positionSigmaM,
+                          ProgressSink& progress) {
+    constexpr double kTripodM = 0.02; // To which a tripod, or a hand, keeps its height.
     // What cameras say of their own tilt agrees with their pictures to about a degree.
     constexpr Degrees kStatedTiltSigma(1);
     constexpr Degrees kLevelledTiltSigma(0.5);
+    align::PhotoPrior prior;
+    prior.name = text(photo.fileName, " (", station.name, ")");
+    prior.positionM = photo.positionM;
+    prior.heightSigmaM = std::clamp(positionSigmaM / 5, prior.heightSigmaM, kTripodM);
+    prior.positionSigmaM = positionSigmaM;
+    prior.placement = station.station.placement;
+    prior.stop = station.station.stop;
+    const std::filesystem::path file = store.photoFolder() / photo.fileName;
     try {
-        const photo::PhotoMetadata metadata = photo::readMetadata(readFile(photo), photo.string());
+        const photo::PhotoMetadata metadata = photo::readMetadata(readFile(file), file.string());
         prior.levelFromPhoto = photo::levelFromPhoto(metadata);
         prior.tiltSigma = photo::isLevel(metadata) ? kLevelledTiltSigma : kStatedTiltSigma;
     } catch (const Error& error) {
         progress.warning(error.sentence());
     }
+    return prior;
 }
 
 } // namespace spherewalk::jobs

@@ -33,6 +33,7 @@ Features someFeatures(int count = 50) {
         features.responses.push_back(static_cast<float>(i));
     }
     features.descriptors.resize(static_cast<std::size_t>(count) * 128, std::uint8_t{7});
+    features.vertical = Vertical{Eigen::Vector3d(0.1, -0.2, 1).normalized(), 0.001};
     return features;
 }
 
@@ -53,6 +54,7 @@ TEST(FeatureCache, KeepsThatAPhotoHasNoFeatures) {
     cache.keep(kPhoto, {});
     ASSERT_TRUE(cache.find(kPhoto));
     EXPECT_EQ(cache.find(kPhoto)->count(), 0);
+    EXPECT_FALSE(cache.find(kPhoto)->vertical);
 }
 
 TEST(FeatureCache, TellsPhotosOptionsAndMasksApart) {
@@ -100,6 +102,10 @@ TEST(FeatureCache, IgnoresFeaturesThatCannotBe) {
     EXPECT_FALSE(cache.find(kPhoto));
     wrong = someFeatures(3);
     wrong.sigmasRad[0] = 0;
+    cache.keep(kPhoto, wrong);
+    EXPECT_FALSE(cache.find(kPhoto));
+    wrong = someFeatures(3);
+    wrong.vertical->upInPhoto *= 2;
     cache.keep(kPhoto, wrong);
     EXPECT_FALSE(cache.find(kPhoto));
     cache.keep(kPhoto, someFeatures(FeatureOptions().most + 1));

@@ -306,7 +306,7 @@ TEST(Unknowns, AreLevelAsThePhotosSayAndKeepTheirHeadings) {
     }
     level(made, priors);
     for (std::size_t i = 0; i < priors.size(); ++i) {
-        const UpPrior said = upPrior(priors[i]);
+        const Vertical said = knownUp(priors[i]);
         EXPECT_LT((made.reference[i] * said.upInPhoto - Vector3d::UnitZ()).norm(), 1e-12);
         EXPECT_LT(angleBetween(made.reference[i], upright[i]).value(), 1e-3);
         EXPECT_EQ(said.sigmaRad, priors[i].levelFromPhoto ? priors[i].tiltSigma.value() : 0.17);
@@ -320,7 +320,7 @@ TEST(Unknowns, LeaveRoomForRoundingEvenIfAPriorIsSure) {
     sure.levelFromPhoto = Quaterniond::Identity();
     sure.tiltSigma = Radians(0);
     EXPECT_GT(offsetSigmasM(sure).minCoeff(), 0);
-    EXPECT_GT(upPrior(sure).sigmaRad, 0);
+    EXPECT_GT(knownUp(sure).sigmaRad, 0);
 }
 
 } // namespace spherewalk::align

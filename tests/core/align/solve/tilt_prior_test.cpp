@@ -82,4 +82,32 @@ TEST(TiltPrior, PullsBackFromUpsideDown) {
     }
 }
 
+TEST(TiltPrior, BelievesUprightEdgesMoreThanMetadata) {
+    PhotoPrior photo;
+    photo.levelFromPhoto = turn(Eigen::Vector3d(0.02, 0, 0));
+    photo.tiltSigma = Degrees(1);
+    photo.seenVertical = Vertical{turn(Eigen::Vector3d(-0.05, 0.01, 0)) * Eigen::Vector3d::UnitZ(), 0.0005};
+    EXPECT_EQ(knownUp(photo).upInPhoto, photo.seenVertical->upInPhoto);
+    EXPECT_GT(knownUp(photo).sigmaRad, 0.0015); // Walls lean, too.
+    EXPECT_LT(knownUp(photo).sigmaRad, 0.0025);
+    EXPECT_LT((levelFromPhoto(photo) * photo.seenVertical->upInPhoto - Eigen::Vector3d::UnitZ()).norm(),
+              1e-12);
+    EXPECT_EQ(statedUp(photo).sigmaRad, photo.tiltSigma.value());
+}
+
+TEST(TiltPrior, BelievesMetadataThatUprightEdgesContradict) {
+    PhotoPrior photo;
+    photo.levelFromPhoto = Eigen::Quaterniond::Identity();
+    photo.tiltSigma = Degrees(1);
+    photo.seenVertical = Vertical{upLeaning(Radians(Degrees(5.1)).value(), 1), 0.0005};
+    EXPECT_EQ(knownUp(photo).upInPhoto, Eigen::Vector3d::UnitZ());
+    EXPECT_EQ(knownUp(photo).sigmaRad, photo.tiltSigma.value());
+    photo.levelFromPhoto.reset();
+    EXPECT_EQ(knownUp(photo).upInPhoto, photo.seenVertical->upInPhoto);
+    EXPECT_TRUE(saysUp(photo));
+    photo.seenVertical.reset();
+    EXPECT_FALSE(saysUp(photo));
+    EXPECT_EQ(levelFromPhoto(photo).coeffs(), Eigen::Quaterniond::Identity().coeffs());
+}
+
 } // namespace spherewalk::align

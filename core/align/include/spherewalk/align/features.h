@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,14 @@ struct FeatureOptions {
 bool isSearched(const FeatureOptions& options, const MaskImage& mask, const Eigen::Vector3d& bearing,
                 Radians around);
 
+/// The direction of a photo that is up.
+struct Vertical {
+    Eigen::Vector3d upInPhoto = Eigen::Vector3d::UnitZ(); ///< A unit vector in the photo's panorama frame.
+    double sigmaRad = 0;                                  ///< Standard deviation along any direction across.
+
+    bool operator==(const Vertical&) const = default;
+};
+
 /// The features of one photo. All vectors have one entry a feature. The strongest feature of each region of
 /// the sphere comes first, then the second of each, so the first n are the best even selection of n.
 struct Features {
@@ -52,6 +61,7 @@ struct Features {
     /// For SIFT 128 values, the roots of the histogram's shares times 512 (RootSIFT, whose distance is
     /// Hellinger's); for the others bits.
     std::vector<std::uint8_t> descriptors;
+    std::optional<Vertical> vertical; ///< See findVertical().
 
     int count() const { return static_cast<int>(bearings.size()); }
 
@@ -71,6 +81,15 @@ struct Features {
 /// defaults. Source: Lowe 2004 (SIFT); Arandjelovic and Zisserman 2012 (RootSIFT).
 Features detectFeatures(const RgbImage& photo, const FeatureOptions& options, const MaskImage& mask = {},
                         const std::stop_token& stop = {});
+
+/// Up, by the edges of walls, doors and furniture that stand upright: what the planes through them and the
+/// lens have in common. Empty where few edges agree, or where they speak for two directions. sigmaRad is of
+/// the picture; how upright the things themselves stand is not in it. Range: the photo leans by 20 degrees at
+/// most, else something level may be taken for upright. Of the options the elevation counts alone. Threads:
+/// any. Cost: 0.15 s for 1280 pixels per turn. Source: von Gioi, Jakubowicz, Morel, Randall 2010 (line
+/// segments, as OpenCV has them).
+std::optional<Vertical> findVertical(const Image<std::uint8_t, 1>& photo, const FeatureOptions& options,
+                                     const MaskImage& mask = {});
 
 /// detectFeatures() of a JPEG's bytes, decoded no larger than the working width needs. source: names the
 /// bytes in error sentences. Errors: also those of jpeg::decode().

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/align/features.h"
 #include "spherewalk/geometry/angle.h"
 
 #include <Eigen/Geometry>
@@ -27,7 +28,22 @@ struct PhotoPrior {
     /// Turns the photo upright, as the photo's own metadata say; empty if they do not say.
     std::optional<Eigen::Quaterniond> levelFromPhoto;
     Radians tiltSigma = Degrees(0.5); ///< Standard deviation of pitch and of roll after levelFromPhoto.
+    std::optional<Vertical> seenVertical = {}; ///< What the photo itself shows, as findVertical() says.
 };
+
+/// The direction that is up by what the photo's metadata say. For a photo that says nothing it is z, with
+/// 0.17 rad, since cameras make photos upright.
+Vertical statedUp(const PhotoPrior& prior);
+
+/// The direction that is up by all that is known: by the photo's upright edges, which are believed to 0.1
+/// degrees, unless they contradict its metadata by more than five standard deviations; else by its metadata.
+Vertical knownUp(const PhotoPrior& prior);
+
+/// Whether knownUp() is more than the guess that cameras make photos upright.
+bool saysUp(const PhotoPrior& prior);
+
+/// Turns knownUp() up by the smallest rotation from what the metadata say.
+Eigen::Quaterniond levelFromPhoto(const PhotoPrior& prior);
 
 /// One thing that two photos see: a unit vector in each photo's frame.
 struct Correspondence {

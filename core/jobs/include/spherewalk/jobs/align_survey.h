@@ -25,6 +25,7 @@
 namespace spherewalk::store {
 struct NewSolution;
 struct PhotoRecord;
+struct StationRecord;
 class SurveyStore;
 } // namespace spherewalk::store
 
@@ -157,9 +158,11 @@ void propose(Cure cure, AlignedPhoto& photo);
 void tellForeignThings(const std::filesystem::path& folder, const align::ForeignCheckOptions& options,
                        AlignReport& report, ProgressSink& progress, const std::stop_token& stop);
 
-/// Takes from a photo's metadata how it leans, and how well it says so. A photo that cannot be read is warned
-/// of alone: what looks for features in it names it.
-void readTilt(const std::filesystem::path& photo, align::PhotoPrior& prior, ProgressSink& progress);
+/// What is known of a photo before its picture is looked at: its tag, which is right along x and y to
+/// positionSigmaM, and how its metadata say that it leans. A photo that cannot be read is warned of alone:
+/// what looks for features in it names it.
+align::PhotoPrior priorOf(const store::SurveyStore& store, const store::PhotoRecord& photo,
+                          const store::StationRecord& station, double positionSigmaM, ProgressSink& progress);
 
 /// Names the imported photos for which another stands: perhaps two were given one place by mistake.
 void tellLeftOut(const store::SurveyStore& store, ProgressSink& progress);
