@@ -43,16 +43,24 @@ Eigen::Vector3d middleOf(const align::FreePlaces& places) {
     return sum / std::max(count, 1);
 }
 
-/// The standard deviation of the lean that all photos share. What they state of their tilt scatters about the
-/// solution, and its mean errs less by the root of their number.
-Radians commonLeanSigma(const align::FreePlaces& places, const AlignReport& report) {
+/// The standard deviation of the lean that all photos share. What is known of each photo's lean scatters
+/// about the solution, and the mean errs less by the root of their number. How upright things stand they may
+/// have in common.
+Radians commonLeanSigma(const align::FreePlaces& places, std::span<const align::PhotoPrior> priors,
+                        const AlignReport& report) {
+    constexpr double kBuiltRad = 3e-4;
     double squares = 0;
     int count = 0;
-    for (const align::SolvedPose& pose : report.alignment.photos) {
-        squares += pose.isSolved ? std::pow(pose.leanFromStated.value(), 2) : 0;
-        count += pose.isSolved ? 1 : 0;
+    for (std::size_t i = 0; i < priors.size(); ++i) {
+        const align::SolvedPose& pose = report.alignment.photos[i];
+        if (pose.isSolved) {
+            const Eigen::Vector3d up = pose.roomFromPhoto.rotation * align::knownUp(priors[i]).upInPhoto;
+            squares += std::pow(angleBetween(up, Eigen::Vector3d::UnitZ()).value(), 2);
+            ++count;
+        }
     }
-    return places.isLevelByFloor || count == 0 ? kFloorLean : Radians(std::sqrt(squares) / count);
+    return places.isLevelByFloor || count == 0 ? kFloorLean
+                                               : Radians(std::hypot(std::sqrt(squares) / count, kBuiltRad));
 }
 
 /// The solver took the heights for known, which a free solution does not know better than its lean.
@@ -166,7 +174,8 @@ void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoReco
     }
 }
 
-void takePlaces(const align::FreePlaces& places, AlignReport& report) {
+void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPrior> priors,
+                AlignReport& report) {
     const Eigen::Vector3d middle = middleOf(places);
     for (std::size_t i = 0; i < report.photos.size(); ++i) {
         const align::FreePlace& place = places.photos[i];
@@ -191,7 +200,7 @@ void takePlaces(const align::FreePlaces& places, AlignReport& report) {
         pose.sigmaOwnPositionM = std::max(place.sigmaM, kLeastPlaceSigmaM);
         pose.sigmaPositionM = std::hypot(pose.sigmaOwnPositionM, byScaleM);
     }
-    widen(commonLeanSigma(places, report), report);
+    widen(commonLeanSigma(places, priors, report), report);
     report.alignment.reason = text("The places were solved from the pictures. ", scaleText(places));
     for (const std::string& warning : places.warnings) {
         report.alignment.warnings.push_back(warning);

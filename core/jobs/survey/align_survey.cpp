@@ -304,7 +304,7 @@ class AlignRun {
         usePlaces(*m_report.places, m_priors, m_estimates);
         m_tagged = m_priors;
         solvePoses(0.9, 0.98);
-        takePlaces(*m_report.places, m_report);
+        takePlaces(*m_report.places, m_priors, m_report);
     }
 
     void solvePoses(double begin, double end) {

@@ -294,14 +294,12 @@ std::vector<PhotoMove> movedPhotos(std::span<const align::PhotoPrior> tagged,
 align::PhotoPrior priorOf(const store::SurveyStore& store, const store::PhotoRecord& photo,
                           const store::StationRecord& station, double positionSigmaM,
                           ProgressSink& progress) {
-    constexpr double kTripodM = 0.02; // To which a tripod, or a hand, keeps its height.
     // What cameras say of their own tilt agrees with their pictures to about a degree.
     constexpr Degrees kStatedTiltSigma(1);
     constexpr Degrees kLevelledTiltSigma(0.5);
     align::PhotoPrior prior;
     prior.name = text(photo.fileName, " (", station.name, ")");
     prior.positionM = photo.positionM;
-    prior.heightSigmaM = std::clamp(positionSigmaM / 5, prior.heightSigmaM, kTripodM);
     prior.positionSigmaM = positionSigmaM;
     prior.placement = station.station.placement;
     prior.stop = station.station.stop;

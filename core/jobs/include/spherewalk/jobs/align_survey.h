@@ -218,8 +218,9 @@ std::optional<FloorMotion> commonMotion(std::span<const Eigen::Vector2d> from,
 void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoRecord> photos,
                align::FreePlaces& places);
 
-/// Writes the found places into the report's alignment, with what makes them doubtful.
-void takePlaces(const align::FreePlaces& places, AlignReport& report);
+/// Writes the found places into the report's alignment, with what makes them doubtful. priors: one a photo.
+void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPrior> priors,
+                AlignReport& report);
 
 /// Makes what photos by hand show the survey's room: the outline of the walls, and a ceiling that is higher
 /// than its own. Does nothing if they make no room. Errors: those of SurveyStore::replaceRoom().
