@@ -7,6 +7,7 @@
 #include "spherewalk/align/free_places.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/fixed_random.h"
+#include "spherewalk/geometry/rotation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
