@@ -42,8 +42,8 @@ struct Edge {
     int bin;
 };
 
-/// Where the pixels of the view at azimuth 0 lie in the photo. The other views are turned by a whole number
-/// of columns and a rest.
+/// Where the pixels of the view at azimuth 0 lie in the photo. Those of other views lie as far aside in the
+/// photo as the view is turned.
 class ViewMap {
   public:
     explicit ViewMap(const GreyImage& photo)

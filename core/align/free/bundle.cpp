@@ -25,8 +25,7 @@ constexpr double kLeastPointParallax = 5;
 constexpr double kFirstReachRad = 0.06; ///< Rays that miss by more at the first poses are of something else.
 constexpr double kReachSigmas = 4;
 constexpr double kLargestScale = 8;
-constexpr double kUnevenFloor = 0.004; ///< Standard deviation, as a share of the lens's height.
-constexpr double kFloorBand = 0.02;    ///< About the floor, within which points lie on it, as such a share.
+constexpr double kFloorBand = 0.02; ///< About the floor, within which points lie on it, as such a share.
 
 /// What one photo gives to one thing.
 struct Sighting {
@@ -254,15 +253,11 @@ std::optional<FloorPlane> levelFloor(const Bundle& bundle, std::span<const Photo
     if (2 * level < priors.size()) {
         return std::nullopt;
     }
-    std::vector<Eigen::Vector3d> photos;
-    for (const PhotoState& photo : bundle.photos) {
-        photos.push_back(photo.positionM);
-    }
     std::vector<Eigen::Vector3d> points;
     for (const SeenPoint& point : bundle.points) {
         points.push_back(point.at);
     }
-    return floorBelow(photos, points, Eigen::Vector3d::UnitZ(), Degrees(3));
+    return floorBelow(bundle.positions(), points, Eigen::Vector3d::UnitZ(), Degrees(3));
 }
 
 /// One run of least squares on the present points and rays.
@@ -301,20 +296,22 @@ class Adjustment {
     /// other counts once, since a floor that is uneven is so for all of it.
     void keepLevel(const FloorPlane& floor) {
         m_floor = floor.at;
-        std::vector<SeenPoint*> on;
+        const auto patchOf = [&floor](const SeenPoint& point) {
+            const double width = 2 * floor.lensHeight;
+            return std::pair(std::floor(point.at.x() / width), std::floor(point.at.y() / width));
+        };
+        std::map<std::pair<double, double>, std::vector<SeenPoint*>> patches;
         for (SeenPoint& point : m_bundle.points) {
             if (std::abs(point.at.z() - floor.at) < kFloorBand * floor.lensHeight) {
-                on.push_back(&point);
+                patches[patchOf(point)].push_back(&point);
             }
         }
-        for (SeenPoint* const point : on) {
-            const auto near = std::ranges::count_if(on, [&](const SeenPoint* other) {
-                return (other->at - point->at).norm() < floor.lensHeight;
-            });
-            m_problem.AddResidualBlock(
-                new FloorBlock(m_bundle.photos.front().positionM.z(),
-                               m_trust * kUnevenFloor * std::sqrt(static_cast<double>(near))),
-                nullptr, point->at.data(), &m_floor);
+        for (const auto& [patch, points] : patches) {
+            const double sigma = m_trust * kUnevenFloor * std::sqrt(static_cast<double>(points.size()));
+            for (SeenPoint* const point : points) {
+                m_problem.AddResidualBlock(new FloorBlock(m_bundle.photos.front().positionM.z(), sigma),
+                                           nullptr, point->at.data(), &m_floor);
+            }
         }
     }
 

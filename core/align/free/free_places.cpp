@@ -21,8 +21,6 @@ namespace spherewalk::align {
 namespace {
 
 constexpr std::size_t kChecked = 3; ///< From so many photos on, a pair needs a third photo that confirms it.
-constexpr double kUnevenFloor =
-    0.004; ///< Of the lens's height: carpets, thresholds, and features above ground.
 constexpr int kLeastSharedPoints = 8;
 constexpr int kLeastPoints = 20;
 constexpr double kDoubtfulSigmaM = 0.015;
@@ -114,18 +112,10 @@ void move(Bundle& bundle, const Eigen::Quaterniond& turned, double scale, const 
     }
 }
 
-std::vector<Eigen::Vector3d> positionsOf(const Bundle& bundle) {
-    std::vector<Eigen::Vector3d> positions;
-    for (const PhotoState& photo : bundle.photos) {
-        positions.push_back(photo.positionM);
-    }
-    return positions;
-}
-
 /// Turns the part by its floor where the photos say little of what is level.
 std::optional<FloorPlane> levelledFloor(Part& part, FreePlaces& made) {
     const Radians lean = mostLean(part);
-    auto floor = floorBelow(positionsOf(part.bundle), part.bundle.seen, Eigen::Vector3d::UnitZ(), lean);
+    auto floor = floorBelow(part.bundle.positions(), part.bundle.seen, Eigen::Vector3d::UnitZ(), lean);
     if (floor && lean > Radians(Degrees(10))) {
         move(part.bundle, uprightFrom(floor->up), 1, Eigen::Vector3d::Zero());
         floor->up = Eigen::Vector3d::UnitZ();
@@ -256,7 +246,7 @@ void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made) {
     move(part.bundle, Eigen::Quaterniond::Identity(), metres, Eigen::Vector3d::Zero());
     move(part.bundle, yawRotation(wallHeading(part.bundle.seen)), 1, Eigen::Vector3d::Zero());
     Eigen::Vector3d shift = -part.bundle.photos.front().positionM;
-    shift.z() = floor ? -metres * floor->at : options.lensHeightM - positionsOf(part.bundle).front().z();
+    shift.z() = floor ? -metres * floor->at : options.lensHeightM - part.bundle.positions().front().z();
     move(part.bundle, Eigen::Quaterniond::Identity(), 1, shift);
     if (made.scaleBy == ScaleBy::Nothing) {
         made.warnings.push_back(
@@ -310,8 +300,8 @@ void report(const Part& part, FreePlaces& made) {
         place.doubt = doubtOf(place, confirming, part.photos.size());
     }
     made.pointsM = part.bundle.seen;
-    made.outline = wallsAround(positionsOf(part.bundle), made.pointsM);
-    made.ceilingM = ceilingAbove(positionsOf(part.bundle), made.pointsM);
+    made.outline = wallsAround(part.bundle.positions(), made.pointsM);
+    made.ceilingM = ceilingAbove(part.bundle.positions(), made.pointsM);
 }
 
 /// Places the largest part that the estimates join.

@@ -16,7 +16,6 @@ constexpr double kSurePlaceShare = 0.5;
 /// Within a room, photos show more of what each other sees.
 constexpr double kRoomShare = 1;
 constexpr std::size_t kLeastInRoom = 4;
-constexpr double kUneven = 0.004; ///< Of a floor, as a share of the lens's height.
 constexpr Radians kLean = Degrees(0.1);
 constexpr double kSigmas = 3;
 constexpr double kLeastStepM = 0.01;
@@ -80,7 +79,7 @@ std::string stepOf(const Room& room, const FloorPlane& floor, const Room& larges
     const double stepM = heightAt(floor, middle) - heightAt(below, largest.middle());
     const double sigmaM = std::hypot(
         floor.heightSigma, below.heightSigma,
-        std::hypot(kUneven * below.lensHeight, kLean.value() * (middle - largest.middle()).norm()));
+        std::hypot(kUnevenFloor * below.lensHeight, kLean.value() * (middle - largest.middle()).norm()));
     if (std::abs(stepM) < std::max(kLeastStepM, kSigmas * sigmaM)) {
         return {};
     }

@@ -62,6 +62,14 @@ struct Bundle {
     std::vector<Eigen::Vector3d> seen; ///< All points that rays of the adjusted photos meet at.
     double scale = 1;                  ///< Of the residuals: 1 if the bearings' sigmas are right.
 
+    std::vector<Eigen::Vector3d> positions() const {
+        std::vector<Eigen::Vector3d> all;
+        for (const PhotoState& photo : photos) {
+            all.push_back(photo.positionM);
+        }
+        return all;
+    }
+
     /// Where the lens stands that sees the ray.
     Eigen::Vector3d lensOf(const Ray& ray) const {
         const PhotoState& photo = photos[static_cast<std::size_t>(ray.photo)];
@@ -94,6 +102,10 @@ std::vector<BundleSigma> bundleSigmas(const Bundle& bundle);
 
 /// Standard deviation of how far the lenses stand ahead, in the unit of the positions.
 double lensSigma(const Bundle& bundle);
+
+/// By how much floors are uneven from patch to patch, with carpets, thresholds and features above ground:
+/// standard deviation, as a share of the lens's height.
+inline constexpr double kUnevenFloor = 0.004;
 
 /// A floor below the photos, in the unit of the positions.
 struct FloorPlane {

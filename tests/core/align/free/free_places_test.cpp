@@ -113,7 +113,6 @@ TEST(FreePlaces, AreSolvedFromMatchesAloneAndMeasuredByTheFloor) {
     }
 }
 
-// Both lenses taken for one bend the places: things a metre away are seen from a centimetre aside.
 namespace {
 
 /// Six photos on either side of a door, 1.5 m above one floor. All that both sides see are points in the
@@ -192,6 +191,7 @@ TEST(Adjustment, MeasuresRoomsByTheOneFloorBelowThem) {
     EXPECT_LT(withFloor, 0.5 * withoutFloor);
 }
 
+// Both lenses taken for one bend the places: things a metre away are seen from a centimetre aside.
 TEST(FreePlaces, KnowThatACameraHasTwoLenses) {
     for (const std::uint64_t seed : {21, 22}) {
         SCOPED_TRACE(seed);
