@@ -2445,6 +2445,10 @@
         <source>Its place contradicts how far the position tags put it from a neighbour: what both show alike may be of two places.</source>
         <translation>Sein Ort widerspricht dem Abstand, den die Ortsangaben zu einem Nachbarn nennen: Was beide gleich zeigen, kann von zwei Orten sein.</translation>
     </message>
+    <message>
+        <source>The position tags are rough, so the places were solved from the pictures.</source>
+        <translation>Die Positionsangaben sind ungenau, also wurden die Orte aus den Bildern berechnet.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -2455,6 +2455,10 @@
         <source>Its place contradicts how far the position tags put it from a neighbour: what both show alike may be of two places.</source>
         <translation>Jego położenie przeczy odległości od sąsiedniego zdjęcia, która wynika z podanych położeń: to, co oba pokazują podobnie, może pochodzić z dwóch miejsc.</translation>
     </message>
+    <message>
+        <source>The position tags are rough, so the places were solved from the pictures.</source>
+        <translation>Podane położenia są niedokładne, więc miejsca obliczono ze zdjęć.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -274,7 +274,10 @@ QWidget* AlignMode::makePlan() {
 void AlignMode::run() {
     jobs::AlignOptions options;
     options.isFree = isFree();
-    options.effort = static_cast<align::Effort>(m_effort->currentData().toInt());
+    const auto effort = static_cast<align::Effort>(m_effort->currentData().toInt());
+    if (effort != options.chosenEffort()) {
+        options.effort = effort;
+    }
     if (options.isFree) {
         options.lensHeightM = m_lensHeight->value();
     } else {

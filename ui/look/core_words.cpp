@@ -107,6 +107,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Photos with wrong tags are solved with their places."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The places were solved from the pictures."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The position tags are rough, so the places were solved from the pictures."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "The height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one "
                       "standard deviation)."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/measured_dataset.h"
 
+#include "parts/report_parts.h"
+
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
@@ -126,11 +128,12 @@ ChosenExport exportChosen(const store::SurveyStore& store, const fs::path& folde
     measure.validate();
     requireAbsent(folder, "the dataset");
     const fs::path cache = measureCacheFolder(store.folder());
-    ProgressStep exporting(progress, 0, kExported);
+    EachWarningOnce once(progress);
+    ProgressStep exporting(once, 0, kExported);
     const fs::path all = surveyDataset(store, render::SceneKind::Depth, cache, exporting, stop);
     const render::Renderer renderer(std::make_shared<const render::Dataset>(
         render::Dataset::open(all, render::Verify::Sizes, noProgress(), stop)));
-    ProgressStep measuring(progress, kExported, kMeasured);
+    ProgressStep measuring(once, kExported, kMeasured);
     ChosenExport result;
     MeasureOptions kept = measure;
     kept.cacheFolder = cache / "results";
@@ -138,7 +141,7 @@ ChosenExport exportChosen(const store::SurveyStore& store, const fs::path& folde
     if (result.measured.choice.rung) {
         result.scene = std::max(result.scene, result.measured.rungs[*result.measured.choice.rung].scene);
     }
-    ProgressStep writing(progress, kMeasured, 1);
+    ProgressStep writing(once, kMeasured, 1);
     options.scene = result.scene;
     result.exported = exportDataset(store, folder, options, writing, stop);
     if (result.measured.choice.rung) {

@@ -40,7 +40,7 @@ constexpr double kKnownPlaceM = 0.05;
 
 bool isKnown(const align::SolvedPose& pose) {
     return pose.isSolved && pose.hasSigmas() && pose.component == 0 && pose.sigmaOwn <= kKnownTurn &&
-           pose.sigmaPositionM <= kKnownPlaceM;
+           pose.sigmaOwnPositionM <= kKnownPlaceM;
 }
 
 /// Empty if the photo cannot be read, which its own flag tells.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/align_survey.h"
@@ -8,6 +9,7 @@
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -21,6 +23,8 @@ constexpr Radians kSameTurn = Degrees(0.3);
 constexpr Radians kFloorLean = Degrees(0.3);
 /// No place is known better, whatever the points say.
 constexpr double kLeastPlaceSigmaM = 0.0005;
+/// The same where tags that are rough must not be bent by them.
+constexpr double kLeastTaggedSigmaM = 0.001;
 
 int photoNamed(const std::string& file, std::span<const AlignedPhoto> photos) {
     const auto found = std::ranges::find(photos, file, &AlignedPhoto::file);
@@ -72,6 +76,80 @@ void widen(Radians commonLean, AlignReport& report) {
             pose.sigmaRoll = Radians(std::hypot(pose.sigmaRoll.value(), commonLean.value()));
         }
     }
+}
+
+/// A similarity along the floor that brings solved places to their tags, and the photos that it fits.
+struct TagFit {
+    double scale = 1;
+    FloorMotion motion;
+    std::vector<std::size_t> photos;
+    double sigmaM = 0; ///< Of a tag along either axis, as stated or as found.
+};
+
+/// Root of the summed squares of the tags' distances to their middle.
+double radiusM(std::span<const std::size_t> photos, std::span<const align::PhotoPrior> priors) {
+    Eigen::Vector2d middleM = Eigen::Vector2d::Zero();
+    for (const std::size_t i : photos) {
+        middleM += priors[i].positionM.head<2>() / static_cast<double>(photos.size());
+    }
+    double squares = 0;
+    for (const std::size_t i : photos) {
+        squares += (priors[i].positionM.head<2>() - middleM).squaredNorm();
+    }
+    return std::sqrt(squares);
+}
+
+/// Tagged over solved lengths: the median over the half of the pairs that stand farther apart.
+double usualScale(std::span<const Eigen::Vector2d> solved, std::span<const Eigen::Vector2d> tagged) {
+    std::vector<std::pair<double, double>> lengths;
+    for (std::size_t a = 0; a < solved.size(); ++a) {
+        for (std::size_t b = a + 1; b < solved.size(); ++b) {
+            lengths.emplace_back((solved[a] - solved[b]).norm(), (tagged[a] - tagged[b]).norm());
+        }
+    }
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    std::vector<double> ratios;
+    for (auto pair = middle; pair != lengths.end(); ++pair) {
+        ratios.push_back(pair->first > 0 ? pair->second / pair->first : 0);
+    }
+    return ratios.empty() ? 0 : median(std::move(ratios));
+}
+
+/// scale: 0 for that of the tags. Nothing if the places or the tags lie all together.
+std::optional<TagFit> fitToTags(const align::FreePlaces& places, std::span<const align::PhotoPrior> priors,
+                                double scale) {
+    constexpr double kFittingSigmas = 4;
+    std::vector<std::size_t> photos;
+    std::vector<Eigen::Vector2d> solved;
+    std::vector<Eigen::Vector2d> tagged;
+    for (std::size_t i = 0; i < priors.size(); ++i) {
+        if (places.photos[i].roomFromPhoto) {
+            photos.push_back(i);
+            solved.emplace_back(places.photos[i].roomFromPhoto->translation.head<2>());
+            tagged.emplace_back(priors[i].positionM.head<2>());
+        }
+    }
+    TagFit fit;
+    fit.scale = scale > 0 ? scale : usualScale(solved, tagged);
+    std::ranges::for_each(solved, [&fit](Eigen::Vector2d& place) { place *= fit.scale; });
+    const std::optional<FloorMotion> motion = commonMotion(solved, tagged);
+    if (!motion) {
+        return std::nullopt;
+    }
+    fit.motion = *motion;
+    double squares = 0;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        const double offM = (fit.motion * solved[i] - tagged[i]).norm();
+        if (offM < kFittingSigmas * priors[photos[i]].positionSigmaM) {
+            fit.photos.push_back(photos[i]);
+            fit.sigmaM = std::max(fit.sigmaM, priors[photos[i]].positionSigmaM);
+            squares += offM * offM;
+        }
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(fit.photos.size(), 1));
+    fit.sigmaM = std::max(fit.sigmaM, std::sqrt(squares / (2 * count)));
+    return fit;
 }
 
 std::string scaleText(const align::FreePlaces& places) {
@@ -143,6 +221,49 @@ void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> pri
             estimate.verdict = align::PairVerdict::NoAgreement;
         }
     }
+}
+
+std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
+                                          std::span<align::PhotoPrior> priors) {
+    constexpr std::size_t kLeastPhotos = 6;
+    constexpr std::size_t kLeastDoubtful = 4;
+    std::optional<TagFit> fit = fitToTags(places, priors, 0);
+    const double spreadM = fit ? radiusM(fit->photos, priors) : 0;
+    if (spreadM > 0 && places.scaleBy != align::ScaleBy::Nothing &&
+        places.scaleSigma < fit->sigmaM / spreadM) {
+        fit = fitToTags(places, priors, 1); // The pictures know it better.
+    }
+    if (!fit || fit->photos.size() < kLeastPhotos || 3 * fit->photos.size() < 2 * priors.size()) {
+        return std::nullopt;
+    }
+    std::vector<double> rises;
+    std::array<std::vector<std::size_t>, 2> placements; // without a doubt, and with one
+    for (const std::size_t i : fit->photos) {
+        rises.push_back(priors[i].positionM.z() -
+                        fit->scale * places.photos[i].roomFromPhoto->translation.z());
+        placements[places.photos[i].doubt.empty() ? 0 : 1].push_back(i);
+    }
+    const double riseM = median(std::move(rises));
+    FrameSigma frame;
+    for (std::size_t placement = 0; placement < placements.size(); ++placement) {
+        const std::vector<std::size_t>& photos = placements[placement];
+        const double aroundM = radiusM(photos, priors);
+        if (photos.size() < kLeastDoubtful || !(aroundM > 0)) {
+            continue;
+        }
+        frame.placeM = std::max(frame.placeM, fit->sigmaM / std::sqrt(static_cast<double>(photos.size())));
+        frame.heading = std::max(frame.heading, Radians(fit->sigmaM / aroundM));
+        for (const std::size_t i : photos) {
+            const Eigen::Vector3d place = fit->scale * places.photos[i].roomFromPhoto->translation;
+            align::PhotoPrior& prior = priors[i];
+            prior.positionM << fit->motion * Eigen::Vector2d(place.head<2>()), riseM + place.z();
+            prior.positionSigmaM =
+                std::clamp(fit->scale * places.photos[i].sigmaM, kLeastTaggedSigmaM, prior.positionSigmaM);
+            prior.heightSigmaM = prior.positionSigmaM;
+            prior.placement = static_cast<int>(placement);
+        }
+    }
+    return frame.placeM > 0 ? std::optional(frame) : std::nullopt;
 }
 
 void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoRecord> photos,

@@ -151,6 +151,7 @@ Json toJson(const AlignReport& report) {
             {"model", name(alignment.model)},
             {"reason", alignment.reason},
             {"effort", name(report.effort)},
+            {"position_sigma_m", report.positionSigmaM},
             {"seconds", report.seconds},
             {"feature_seconds", report.featureSeconds},
             {"match_seconds", report.matchSeconds},

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/jobs/align_survey.h"
 
+#include "parts/report_parts.h"
+
 #include "spherewalk/align/content_check.h"
 #include "spherewalk/align/find_features.h"
 #include "spherewalk/align/match_pairs.h"
-#include "spherewalk/align/position_check.h"
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/json.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -24,6 +26,17 @@ using SteadyClock = std::chrono::steady_clock;
 
 namespace {
 
+/// What says where photos stand to each other.
+enum class PlacesBy {
+    Tags,
+    Pictures,         ///< Alone.
+    PicturesNearTags, ///< Tags give the frame, and must agree.
+};
+
+align::Effort effortBy(PlacesBy by, const AlignOptions& options) {
+    return options.effort.value_or(by == PlacesBy::Tags ? align::Effort::Normal : align::Effort::Fine);
+}
+
 constexpr const char* kCacheFolder = "align-cache";
 
 double secondsSince(SteadyClock::time_point begin) {
@@ -33,20 +46,22 @@ double secondsSince(SteadyClock::time_point begin) {
 /// One run, step by step.
 class AlignRun {
   public:
-    AlignRun(const store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
-             std::stop_token stop)
-        : m_store(store), m_options(options), m_progress(progress), m_stop(std::move(stop)) {}
+    AlignRun(const store::SurveyStore& store, const AlignOptions& options, PlacesBy by,
+             ProgressSink& progress, std::stop_token stop)
+        : m_store(store), m_options(options), m_by(by), m_progress(progress), m_stop(std::move(stop)) {}
 
-    AlignReport run() {
-        const auto begin = SteadyClock::now();
-        m_report.effort = m_options.chosenEffort();
+    /// Empty if the pictures are asked where photos with tags stand, and do not say it.
+    std::optional<AlignReport> run() {
+        m_report.effort = effortBy(m_by, m_options);
+        m_report.positionSigmaM = m_options.isFree ? 0 : m_options.positionSigmaM;
         readPhotos();
         findFeatures();
         findAprilTags();
         matchPhotos();
-        solve();
+        if (!solve()) {
+            return std::nullopt;
+        }
         judge();
-        m_report.seconds = secondsSince(begin);
         return std::move(m_report);
     }
 
@@ -55,9 +70,7 @@ class AlignRun {
         findFeatures();
         matchPhotos();
         PlacesSoFar result;
-        for (const store::PhotoRecord& photo : m_photos) {
-            result.photos.push_back(photo.id);
-        }
+        std::ranges::transform(m_photos, std::back_inserter(result.photos), &store::PhotoRecord::id);
         result.places = freePlaces();
         return result;
     }
@@ -89,11 +102,10 @@ class AlignRun {
             throwIfStopped(m_stop);
             const store::StationRecord& station = stations.at(photo.station);
             m_priors.push_back(priorOf(m_store, photo, station, m_options.positionSigmaM, m_progress));
-            AlignedPhoto aligned;
+            AlignedPhoto& aligned = m_report.photos.emplace_back();
             aligned.photo = photo.id;
             aligned.file = photo.fileName;
             aligned.station = station.name;
-            m_report.photos.push_back(std::move(aligned));
             step.progress(static_cast<double>(m_priors.size()) / static_cast<double>(m_photos.size()),
                           "Reading what the photos say");
         }
@@ -141,17 +153,15 @@ class AlignRun {
     void matchPhotos() {
         const auto begin = SteadyClock::now();
         std::vector<Eigen::Vector3d> positions;
-        for (const align::PhotoPrior& prior : m_priors) {
-            positions.push_back(prior.positionM);
-        }
+        std::ranges::transform(m_priors, std::back_inserter(positions), &align::PhotoPrior::positionM);
         ProgressStep step(m_progress, 0.6, 0.76);
-        if (m_options.isFree) {
+        if (m_by != PlacesBy::Tags) {
             m_retrieval.threads = m_options.threads;
             m_alike = align::likeness(m_features.photos, m_retrieval, step, m_stop);
         }
         m_pairs = align::matchPairs(m_features.photos,
-                                    m_options.isFree ? align::likelyPairs(*m_alike, m_retrieval)
-                                                     : align::neighbours(positions, m_effort.neighbours),
+                                    m_alike ? align::likelyPairs(*m_alike, m_retrieval)
+                                            : align::neighbours(positions, m_effort.neighbours),
                                     m_effort.match, m_options.threads, step, m_stop);
         align::joinTags(m_aprilTags, m_pairs);
         for (const align::Features& features : m_features.photos) {
@@ -185,7 +195,7 @@ class AlignRun {
         std::vector<align::Effort> efforts = {align::Effort::Normal, align::Effort::Fine,
                                               align::Effort::Exact};
         std::erase_if(efforts, [&](align::Effort effort) {
-            return effort == m_report.effort || (m_options.isFree && effort < m_report.effort);
+            return effort == m_report.effort || (m_alike && effort < m_report.effort);
         });
         std::stable_partition(efforts.begin(), efforts.end(),
                               [&](align::Effort effort) { return effort > m_report.effort; });
@@ -194,8 +204,8 @@ class AlignRun {
         for (const align::Effort effort : efforts) {
             const align::EffortOptions other = align::optionsFor(effort);
             std::vector<std::pair<int, int>> apart =
-                m_options.isFree ? align::likelyBridges(*m_alike, m_estimates, m_retrieval)
-                                 : align::neighboursApart(positions, m_estimates, other.neighbours);
+                m_alike ? align::likelyBridges(*m_alike, m_estimates, m_retrieval)
+                        : align::neighboursApart(positions, m_estimates, other.neighbours);
             std::erase_if(apart, [&](const auto& pair) {
                 return std::min(counts[static_cast<std::size_t>(pair.first)],
                                 counts[static_cast<std::size_t>(pair.second)]) <
@@ -265,29 +275,39 @@ class AlignRun {
         }
     }
 
-    void solve() {
+    bool solve() {
         const auto begin = SteadyClock::now();
-        if (m_options.isFree) {
+        bool isSolved = true;
+        if (m_by == PlacesBy::Tags) {
+            solveByTags();
+        } else if (m_by == PlacesBy::Pictures) {
             solveFree();
-            m_report.solveSeconds = secondsSince(begin);
-            return;
+        } else {
+            isSolved = solveNearTags();
         }
+        m_report.solveSeconds = secondsSince(begin);
+        return isSolved;
+    }
+
+    void solveByTags() {
         if (m_options.checksPositions) {
             m_progress.progress(0.86, "Checking the positions");
             m_report.tagFrame = align::tagFrame(m_priors, m_estimates);
             tellOnePlace(align::photosAtOnePlace(m_priors, m_estimates), m_report);
             if (!m_report.tagFrame.isMirrored) { // Else most photos would seem to be swapped.
-                correctPositions();
+                correctPositions(m_estimates, m_planned, m_options.positionSigmaM, m_priors, m_report);
             }
         }
         throwIfStopped(m_stop);
         m_tagged = m_priors;
         solvePoses(0.87, 0.94);
-        const bool frees = m_options.checksPositions && !m_report.tagFrame.isMirrored;
-        for (double from = 0.94; frees && from < 0.98 && freeMoved(); from += 0.02) { // one may hide another
+        const auto frees = [&] {
+            return m_options.checksPositions && !m_report.tagFrame.isMirrored &&
+                   freeMoved(m_tagged, m_options.positionSigmaM, m_priors, m_report);
+        };
+        for (double from = 0.94; from < 0.98 && frees(); from += 0.02) { // one may hide another
             solvePoses(from, from + 0.02);
         }
-        m_report.solveSeconds = secondsSince(begin);
     }
 
     align::FreePlaces freePlaces() {
@@ -307,60 +327,36 @@ class AlignRun {
         takePlaces(*m_report.places, m_priors, m_report);
     }
 
-    void solvePoses(double begin, double end) {
+    /// Whether the pictures say where the photos stand, and most tags agree.
+    bool solveNearTags() {
+        m_tagged = m_priors;
+        const std::optional<FrameSigma> frame = usePlacesByTags(freePlaces(), m_priors);
+        if (frame) {
+            solvePoses(0.9, 0.98, frame);
+        }
+        return frame.has_value();
+    }
+
+    void solvePoses(double begin, double end, const std::optional<FrameSigma>& frame = {}) {
         align::SolveOptions options;
         options.model = m_options.model;
         options.threads = m_options.threads;
+        if (frame) {
+            options.placementSigmaM = frame->placeM;
+            options.placementSigma = frame->heading;
+        }
         const bool isAnyFree = std::ranges::any_of(
             m_report.photos, [](const AlignedPhoto& photo) { return photo.freeSigmaM > 0; });
-        if ((isAnyFree || m_options.isFree) && options.model == align::Model::Auto) {
+        if ((isAnyFree || m_by != PlacesBy::Tags) && options.model == align::Model::Auto) {
             options.model = align::Model::Position;
         }
         ProgressStep step(m_progress, begin, end);
         m_report.alignment = align::solve(m_priors, m_pairs, m_estimates, options, step, m_stop);
         if (options.model != m_options.model) {
-            m_report.alignment.reason = "Photos with wrong tags are solved with their places.";
-        }
-    }
-
-    /// Frees the photos that were moved far from their tags, so that a wrong tag does not pull at the place.
-    bool freeMoved() {
-        const std::vector<PhotoMove> moved = movedPhotos(m_tagged, m_report.alignment);
-        const bool isNew = std::ranges::any_of(
-            moved, [&](const PhotoMove& one) { return m_report.photos[one.photo].freeSigmaM == 0; });
-        if (!isNew || 2 * moved.size() > m_priors.size()) {
-            return false;
-        }
-        for (const PhotoMove& one : moved) {
-            free(one.photo, m_report.alignment.photos[one.photo].roomFromPhoto.translation);
-        }
-        return true;
-    }
-
-    void free(std::size_t photo, const Eigen::Vector3d& nearM) {
-        align::PhotoPrior& prior = m_priors.at(photo);
-        prior.positionM.head<2>() = nearM.head<2>();
-        prior.positionSigmaM = std::max(freeSigmaM(m_priors, prior.positionM), m_options.positionSigmaM);
-        prior.placement = -1;
-        m_report.photos.at(photo).freeSigmaM = prior.positionSigmaM;
-    }
-
-    /// What is solved is solved with the positions that fit.
-    void correctPositions() {
-        for (const align::WrongPosition& wrong : align::wrongPositions(m_priors, m_estimates, m_planned)) {
-            align::PhotoPrior& prior = m_priors.at(static_cast<std::size_t>(wrong.photo));
-            AlignedPhoto& photo = m_report.photos.at(static_cast<std::size_t>(wrong.photo));
-            photo.flags.push_back(wrong.reason);
-            photo.cure = wrong.fits < 0 ? Cure::Retake : Cure::Retag;
-            if (wrong.fits < 0) {
-                free(static_cast<std::size_t>(wrong.photo), wrong.takenM);
-                continue;
-            }
-            const align::PlannedPosition& fits = m_planned.at(static_cast<std::size_t>(wrong.fits));
-            photo.fits = fits.name;
-            prior.positionM = fits.positionM;
-            prior.placement = fits.placement;
-            prior.stop = fits.stop;
+            m_report.alignment.reason =
+                m_by == PlacesBy::Tags
+                    ? "Photos with wrong tags are solved with their places."
+                    : "The position tags are rough, so the places were solved from the pictures.";
         }
     }
 
@@ -392,21 +388,17 @@ class AlignRun {
         giveVerdicts(m_tagged, m_report);
         tellTagFrame(m_report);
         placeAprilTags(m_aprilTags, m_options.tagSizeM, m_report);
-        for (const int photo : m_features.unreadable) {
-            AlignedPhoto& damaged = m_report.photos.at(static_cast<std::size_t>(photo));
-            damaged.quality = survey::Quality::Failed;
-            damaged.cure = Cure::Retake;
-            damaged.flags = {text("The file ", damaged.file, " cannot be read; retake the photo.")};
-        }
+        tellDamaged(m_features.unreadable, m_report);
     }
 
     const store::SurveyStore& m_store;
     const AlignOptions& m_options;
+    PlacesBy m_by;
     ProgressSink& m_progress;
     std::stop_token m_stop;
     std::filesystem::path m_cacheFolder =
         m_options.cacheFolder.empty() ? m_store.folder() / kCacheFolder : m_options.cacheFolder;
-    align::EffortOptions m_effort = align::optionsFor(m_options.chosenEffort());
+    align::EffortOptions m_effort = align::optionsFor(effortBy(m_by, m_options));
     std::vector<store::PhotoRecord> m_photos;
     std::vector<int> m_all; ///< Indices of all photos.
     std::vector<align::PlannedPosition> m_planned;
@@ -426,18 +418,31 @@ class AlignRun {
 
 AlignReport alignSurvey(store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop) {
-    AlignReport report = AlignRun(store, options, progress, stop).run();
+    const auto begin = SteadyClock::now();
+    const double looked = options.hasRoughTags() ? 0.6 : 0;
+    EachWarningOnce once(progress);
+    std::optional<AlignReport> report;
+    if (options.hasRoughTags()) {
+        ProgressStep step(once, 0, looked);
+        report = AlignRun(store, options, PlacesBy::PicturesNearTags, step, stop).run();
+    }
+    if (!report) {
+        ProgressStep step(once, looked, 1);
+        const PlacesBy by = options.isFree ? PlacesBy::Pictures : PlacesBy::Tags;
+        report = AlignRun(store, options, by, step, stop).run();
+    }
+    report->seconds = secondsSince(begin);
     throwIfStopped(stop);
     if (options.isRecorded) {
-        recordSolution(store, options, report, progress);
+        recordSolution(store, options, *report, progress);
     }
     progress.progress(1, "Aligned");
-    return report;
+    return std::move(*report);
 }
 
 PlacesSoFar placesSoFar(const store::SurveyStore& store, const AlignOptions& options, ProgressSink& progress,
                         const std::stop_token& stop) {
-    return AlignRun(store, options, progress, stop).places();
+    return AlignRun(store, options, PlacesBy::Pictures, progress, stop).places();
 }
 
 } // namespace spherewalk::jobs

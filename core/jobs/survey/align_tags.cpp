@@ -140,6 +140,26 @@ FloorMotion bestMotion(const Places& places) {
     return motion;
 }
 
+/// The standard deviation that the place of a photo with a wrong tag is solved with, about pM.
+double freeSigmaM(std::span<const align::PhotoPrior> photos, const Eigen::Vector3d& pM) {
+    double sigmaM = kFreeSigmaM;
+    for (const align::PhotoPrior& photo : photos) {
+        const double apartM = (photo.positionM - pM).norm();
+        sigmaM = apartM < kOnePlaceM ? sigmaM : std::min(sigmaM, kFreeSigmaShare * apartM);
+    }
+    return sigmaM;
+}
+
+/// Lets a photo with a wrong tag stand anywhere about the place.
+void freePlace(std::size_t photo, const Eigen::Vector3d& nearM, double positionSigmaM,
+               std::span<align::PhotoPrior> priors, AlignReport& report) {
+    align::PhotoPrior& prior = priors[photo];
+    prior.positionM.head<2>() = nearM.head<2>();
+    prior.positionSigmaM = std::max(freeSigmaM(priors, prior.positionM), positionSigmaM);
+    prior.placement = -1;
+    report.photos.at(photo).freeSigmaM = prior.positionSigmaM;
+}
+
 } // namespace
 
 void refineStretch(std::span<const align::PhotoPrior> tagged, AlignReport& report) {
@@ -200,13 +220,39 @@ void tellTagFrame(AlignReport& report) {
     }
 }
 
-double freeSigmaM(std::span<const align::PhotoPrior> photos, const Eigen::Vector3d& pM) {
-    double sigmaM = kFreeSigmaM;
-    for (const align::PhotoPrior& photo : photos) {
-        const double apartM = (photo.positionM - pM).norm();
-        sigmaM = apartM < kOnePlaceM ? sigmaM : std::min(sigmaM, kFreeSigmaShare * apartM);
+void correctPositions(std::span<const align::PairEstimate> estimates,
+                      std::span<const align::PlannedPosition> planned, double positionSigmaM,
+                      std::span<align::PhotoPrior> priors, AlignReport& report) {
+    for (const align::WrongPosition& wrong : align::wrongPositions(priors, estimates, planned)) {
+        const auto at = static_cast<std::size_t>(wrong.photo);
+        AlignedPhoto& photo = report.photos.at(at);
+        photo.flags.push_back(wrong.reason);
+        photo.cure = wrong.fits < 0 ? Cure::Retake : Cure::Retag;
+        if (wrong.fits < 0) {
+            freePlace(at, wrong.takenM, positionSigmaM, priors, report);
+            continue;
+        }
+        const align::PlannedPosition& fits = planned[static_cast<std::size_t>(wrong.fits)];
+        photo.fits = fits.name;
+        priors[at].positionM = fits.positionM;
+        priors[at].placement = fits.placement;
+        priors[at].stop = fits.stop;
     }
-    return sigmaM;
+}
+
+bool freeMoved(std::span<const align::PhotoPrior> tagged, double positionSigmaM,
+               std::span<align::PhotoPrior> priors, AlignReport& report) {
+    const std::vector<PhotoMove> moved = movedPhotos(tagged, report.alignment);
+    const bool isNew = std::ranges::any_of(
+        moved, [&](const PhotoMove& one) { return report.photos[one.photo].freeSigmaM == 0; });
+    if (!isNew || 2 * moved.size() > priors.size()) {
+        return false;
+    }
+    for (const PhotoMove& one : moved) {
+        freePlace(one.photo, report.alignment.photos[one.photo].roomFromPhoto.translation, positionSigmaM,
+                  priors, report);
+    }
+    return true;
 }
 
 void tellOnePlace(std::span<const align::OnePlace> found, AlignReport& report) {

@@ -106,6 +106,15 @@ void giveVerdicts(std::span<const align::PhotoPrior> tagged, AlignReport& report
     }
 }
 
+void tellDamaged(std::span<const int> photos, AlignReport& report) {
+    for (const int photo : photos) {
+        AlignedPhoto& damaged = report.photos.at(static_cast<std::size_t>(photo));
+        damaged.quality = survey::Quality::Failed;
+        damaged.cure = Cure::Retake;
+        damaged.flags = {text("The file ", damaged.file, " cannot be read; retake the photo.")};
+    }
+}
+
 store::NewSolution recordOf(const AlignReport& report) {
     store::NewSolution solution;
     solution.source = "align";

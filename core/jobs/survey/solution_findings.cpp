@@ -84,6 +84,9 @@ class Reading {
         if (!report.isAbsent("reason")) {
             m_findings.reason = report.string("reason");
         }
+        if (!report.isAbsent("position_sigma_m")) {
+            m_findings.positionSigmaM = report.number("position_sigma_m");
+        }
         if (!report.isAbsent("warnings")) {
             m_findings.warnings = strings(report.member("warnings"));
         }
@@ -222,10 +225,13 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
 }
 
 std::string placesInDoubt(const store::SurveyStore& store) {
-    const auto solution = store.activeSolution();
+    constexpr double kTagSigmas = 3;
+    const std::optional<SolutionFindings> findings = activeFindings(store);
+    if (!findings) {
+        return "";
+    }
     std::map<std::int64_t, store::SolvedPhoto> solved;
-    for (store::SolvedPhoto& photo :
-         solution ? store.solvedPhotos(solution->id) : std::vector<store::SolvedPhoto>()) {
+    for (store::SolvedPhoto& photo : store.solvedPhotos(findings->solution.id)) {
         solved.emplace(photo.photo, std::move(photo));
     }
     const std::vector<store::StationRecord> stations = store.stations();
@@ -237,10 +243,12 @@ std::string placesInDoubt(const store::SurveyStore& store) {
             continue;
         }
         const double offM = (found->second.positionM - photo.positionM).norm();
-        const bool isElsewhere = std::ranges::any_of(stations, [&](const store::StationRecord& station) {
-            return station.id != photo.station &&
-                   (station.station.positionM - found->second.positionM).norm() < offM;
-        });
+        const bool isFar = offM > kTagSigmas * findings->positionSigmaM;
+        const bool isElsewhere =
+            isFar && std::ranges::any_of(stations, [&](const store::StationRecord& station) {
+                return station.id != photo.station &&
+                       (station.station.positionM - found->second.positionM).norm() < offM;
+            });
         if (isElsewhere) {
             ++count;
             names +=

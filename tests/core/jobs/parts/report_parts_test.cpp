@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parts/report_parts.h"
+#include "warnings.h"
 
 #include "spherewalk/base/json.h"
 
@@ -46,6 +47,17 @@ TEST(ReportParts, AreBrighterWhereTheFirstPictureIsAndStayInRange) {
             EXPECT_EQ(shown, std::clamp(128 + 4 * (a - b), 0, 255)) << a << " beside " << b;
         }
     }
+}
+
+TEST(ReportParts, HandOnEachWarningOnce) {
+    test::Warnings warnings;
+    EachWarningOnce once(warnings);
+    ProgressStep first(once, 0, 0.5);
+    ProgressStep second(once, 0.5, 1);
+    first.warning("A lens is dirty.");
+    first.warning("A photo is dark.");
+    second.warning("A lens is dirty.");
+    EXPECT_EQ(warnings.sentences, (std::vector<std::string>{"A lens is dirty.", "A photo is dark."}));
 }
 
 } // namespace spherewalk::jobs

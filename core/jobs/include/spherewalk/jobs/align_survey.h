@@ -4,6 +4,7 @@
 #include "spherewalk/align/foreign_check.h"
 #include "spherewalk/align/free_places.h"
 #include "spherewalk/align/match_pairs.h"
+#include "spherewalk/align/position_check.h"
 #include "spherewalk/align/room_tags.h"
 #include "spherewalk/align/solve.h"
 #include "spherewalk/align/tag_check.h"
@@ -66,6 +67,13 @@ struct AlignOptions {
     bool isActivated = true; ///< Whether the recorded solution becomes the active one.
     int threads = 0;         ///< Range: 0 or above; 0 means all that the machine has.
 
+    /// Whether the pictures know better than the tags how photos stand to each other: these err by a
+    /// centimetre or more.
+    bool hasRoughTags() const {
+        constexpr double kRoughM = 0.01;
+        return !isFree && positionSigmaM >= kRoughM;
+    }
+
     align::Effort chosenEffort() const {
         return effort.value_or(isFree ? align::Effort::Fine : align::Effort::Normal);
     }
@@ -106,6 +114,7 @@ struct AlignedPhoto {
 struct AlignReport {
     std::int64_t solution = 0; ///< Number of the solution in the store; 0 if it was not recorded.
     align::Effort effort = align::Effort::Normal;
+    double positionSigmaM = 0;  ///< What the tags were said to err by; 0 if they were not used.
     align::Alignment alignment; ///< Its photos have the order of `photos`.
     std::vector<AlignedPhoto> photos;
     std::optional<align::FreePlaces> places; ///< What a free solution found.
@@ -200,6 +209,22 @@ align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptio
 void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> priors,
                std::span<align::PairEstimate> estimates);
 
+/// What is left open of the frame of photos that stand to each other as the pictures say: standard
+/// deviations.
+struct FrameSigma {
+    double placeM = 0; ///< Of their middle, along either axis.
+    Radians heading;
+};
+
+/// Makes places that the pictures gave those that photos are aligned with, as one placement. A turn, a shift
+/// and, unless the pictures know it better, a scale bring them to the tags. Four and more photos whose place
+/// is doubtful are a placement of their own, since they hang together, but not with the others. Photos
+/// without a place, or with one that is more than four standard deviations from the tag, keep the tag. Empty,
+/// with nothing changed, if fewer than six photos, or two thirds of all, fit. priors: one a photo, with the
+/// tags.
+std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
+                                          std::span<align::PhotoPrior> priors);
+
 /// A turn about the vertical and then a shift along the floor.
 struct FloorMotion {
     Eigen::Rotation2Dd turn{0};
@@ -249,8 +274,16 @@ std::vector<align::RoomTag> aprilTagsOf(const store::SurveyStore& store);
 /// standard deviations of all places.
 void tellTagFrame(AlignReport& report);
 
-/// The standard deviation that the place of a photo with a wrong tag is solved with, about pM.
-double freeSigmaM(std::span<const align::PhotoPrior> photos, const Eigen::Vector3d& pM);
+/// Takes the positions that fit for those that do not. A photo without any is freed to stand where its
+/// neighbours see it. Shape: priors has one entry a photo.
+void correctPositions(std::span<const align::PairEstimate> estimates,
+                      std::span<const align::PlannedPosition> planned, double positionSigmaM,
+                      std::span<align::PhotoPrior> priors, AlignReport& report);
+
+/// Frees the photos that were moved far from their tags, so that a wrong tag does not pull at the place, and
+/// tells whether there are new ones. Shape: tagged and priors have one entry a photo.
+bool freeMoved(std::span<const align::PhotoPrior> tagged, double positionSigmaM,
+               std::span<align::PhotoPrior> priors, AlignReport& report);
 
 /// Names both photos of each pair that was taken at one place.
 void tellOnePlace(std::span<const align::OnePlace> found, AlignReport& report);
@@ -260,6 +293,9 @@ void tellOnePlace(std::span<const align::OnePlace> found, AlignReport& report);
 /// photo fails if its tag is wrong and its neighbours do not tell its place. Shape: tagged has one entry a
 /// photo.
 void giveVerdicts(std::span<const align::PhotoPrior> tagged, AlignReport& report);
+
+/// Makes photos fail whose files cannot be read.
+void tellDamaged(std::span<const int> photos, AlignReport& report);
 
 /// The report as resources/docs/formats.md describes it.
 Json toJson(const AlignReport& report);

@@ -56,6 +56,7 @@ struct SolutionFindings {
     store::SolutionRecord solution;
     std::string reason;                   ///< Sentence that says why this model; empty if not known.
     bool isFree = false;                  ///< Places were solved from the pictures alone.
+    double positionSigmaM = 0;            ///< What the tags were said to err by; 0 if not known.
     std::vector<std::string> warnings;    ///< Sentences about the solution as a whole.
     std::vector<std::string> tagWarnings; ///< Those warnings that say that all tags are wrong.
     std::vector<PhotoFinding> photos;     ///< In walking order; photos that the survey lost are left out.
@@ -77,8 +78,8 @@ struct PhotosToExport {
 /// Errors: those of activeFindings().
 PhotosToExport photosToExport(const store::SurveyStore& store);
 
-/// A sentence on the kept photos that the active solution puts nearer to another station than to their own;
-/// "" without any.
+/// A sentence on the kept photos that the active solution puts nearer to another station than to their own,
+/// and farther from it than tags were said to err; "" without any. Errors: those of activeFindings().
 std::string placesInDoubt(const store::SurveyStore& store);
 
 } // namespace spherewalk::jobs
