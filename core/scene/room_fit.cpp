@@ -30,25 +30,30 @@ std::vector<Vector3d> evenDirections(int count) {
     return result;
 }
 
-/// 1 / distance along the ray to the first wall; 0 if it meets none.
-double inverseWallDistance(const Polygon& outline, const Vector3d& from, const Vector3d& ray) {
-    double greatest = 0;
+/// Where a ray meets the outline first.
+struct WallHit {
+    std::size_t wall = 0;
+    double inverseM = 0; ///< 1 / distance along the ray; 0 if it meets no wall.
+};
+
+WallHit firstWall(const Polygon& outline, const Vector3d& from, const Vector3d& ray) {
+    WallHit first;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Vector2d a = outline[i] - from.head<2>();
         const Vector2d wall = outline[(i + 1) % outline.size()] - outline[i];
         const double across = ray.x() * wall.y() - ray.y() * wall.x();
         const double along = (a.x() * ray.y() - a.y() * ray.x()) / across; // Place on the wall, from 0 to 1.
         const double t = (a.x() * wall.y() - a.y() * wall.x()) / across;
-        if (across != 0 && along >= 0 && along <= 1 && t > 0) {
-            greatest = std::max(greatest, 1 / t);
+        if (across != 0 && along >= 0 && along <= 1 && t > 0 && 1 / t > first.inverseM) {
+            first = {i, 1 / t};
         }
     }
-    return greatest;
+    return first;
 }
 
 double inverseDistance(const survey::Room& room, const Vector3d& from, const Vector3d& ray) {
     const double flat = ray.z() < 0 ? -ray.z() / from.z() : ray.z() / (room.ceilingM - from.z());
-    return std::max(flat, inverseWallDistance(room.outline, from, ray));
+    return std::max(flat, firstWall(room.outline, from, ray).inverseM);
 }
 
 } // namespace
@@ -79,14 +84,17 @@ std::optional<double> sphereRadius(const survey::Room& room, const std::vector<V
 namespace {
 
 constexpr double kBinM = 0.02;
-constexpr double kPeakShare = 0.4;  ///< Share of the highest peak from which another one counts.
-constexpr double kNearPeakM = 0.05; ///< Points within this distance belong to the surface.
-constexpr double kReachM = 0.5;     ///< Largest way of a wall, floor or ceiling from where it was drawn.
-constexpr double kHighestM = 3;     ///< A camera's height, at most.
-constexpr double kTallestM = 10;    ///< A ceiling's height above the camera, at most.
-constexpr double kFarM = 10;        ///< What is farther counts as if it were as near as that.
-constexpr double kOutsideM = 0.3;   ///< Points count up to this far beyond a wall's ends.
+constexpr double kPeakShare = 0.4;     ///< Share of the highest peak from which another one counts.
+constexpr double kNearPeakM = 0.05;    ///< Points within this distance belong to the surface.
+constexpr double kReachM = 0.5;        ///< Largest way of a wall, floor or ceiling from where it was drawn.
+constexpr double kHighestM = 3;        ///< A camera's height, at most.
+constexpr double kTallestM = 10;       ///< A ceiling's height above the camera, at most.
+constexpr double kFarM = 10;           ///< What is farther counts as if it were as near as that.
+constexpr double kLowestWallM = 0.3;   ///< Walls are looked at from this height above the floor ...
+constexpr double kBelowCeilingM = 0.1; ///< ... to this far below the ceiling.
+constexpr double kOutsideM = 0.3;      ///< Points count up to this far beyond a wall's ends.
 constexpr std::size_t kFewestPoints = 200;
+constexpr int kEvery = 4; ///< Pixels of a depth, of which one is looked at.
 
 /// A point that a photo sees, and the area that its pixel covers across the ray.
 struct Seen {
@@ -101,7 +109,6 @@ struct Value {
 };
 
 std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
-    constexpr int kEvery = 4;
     std::vector<Seen> points;
     for (const PosedDepth& posed : depths) {
         const PhotoDepth& depth = *posed.depth;
@@ -259,6 +266,63 @@ bool contradicts(const std::vector<Seen>& walls, const Polygon& outline) {
     return 2 * beyond > all;
 }
 
+/// What photos show towards a drawn wall: solid angles, as in Seen.
+struct Towards {
+    double all = 0;
+    double beyond = 0; ///< Farther than the wall by more than a wall is moved.
+    std::size_t count = 0;
+
+    void add(double beyondM, double solidAngle) {
+        const bool isBeyond = beyondM > kReachM;
+        all += solidAngle;
+        beyond += isBeyond ? solidAngle : 0;
+        count += isBeyond ? 1 : 0;
+    }
+};
+
+/// Adds what one photo shows between two heights. What is not sure counts as the wall, as does furniture
+/// before it.
+void addTowards(const PosedDepth& posed, const Polygon& outline, std::pair<double, double> heightsM,
+                std::vector<Towards>& walls) {
+    const Image<float, 1>& inverseM = posed.depth->inverseM;
+    const EquirectSize size{inverseM.width(), inverseM.height()};
+    const Vector3d& from = posed.roomFromPhoto.translation;
+    for (int y = kEvery / 2; y < size.height; y += kEvery) {
+        for (int x = kEvery / 2; x < size.width; x += kEvery) {
+            const Vector3d inPhoto = direction(size, Vector2d(x, y));
+            const Vector3d ray = posed.roomFromPhoto.rotation * inPhoto;
+            const WallHit hit = firstWall(outline, from, ray);
+            const double heightM = from.z() + ray.z() / hit.inverseM;
+            if (!(heightM > heightsM.first && heightM < heightsM.second)) {
+                continue;
+            }
+            const Vector2d along = outline[(hit.wall + 1) % outline.size()] - outline[hit.wall];
+            const double across = std::abs(ray.x() * along.y() - ray.y() * along.x()) / along.norm();
+            const double seenM = 1 / static_cast<double>(*inverseM.at(x, y));
+            const double beyondM = *posed.depth->sure.at(x, y) == 0 ? 0 : across * (seenM - 1 / hit.inverseM);
+            walls[hit.wall].add(beyondM, inPhoto.head<2>().norm());
+        }
+    }
+}
+
+/// The drawn walls towards which photos see farther than these in most directions.
+std::vector<std::size_t> seenThrough(std::span<const PosedDepth> depths, const Polygon& outline,
+                                     std::pair<double, double> heightsM) {
+    std::vector<Towards> walls(outline.size());
+    for (const PosedDepth& posed : depths) {
+        if (contains(outline, posed.roomFromPhoto.translation.head<2>())) {
+            addTowards(posed, outline, heightsM, walls);
+        }
+    }
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        if (walls[i].count >= kFewestPoints && 2 * walls[i].beyond > walls[i].all) {
+            result.push_back(i);
+        }
+    }
+    return result;
+}
+
 /// How far to move a wall inwards. Empty if too little of it is seen.
 std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, const Vector2d& b,
                             const Vector2d& inwards) {
@@ -314,7 +378,7 @@ std::optional<FittedRoom> fittedRoom(std::span<const PosedDepth> depths, const D
     std::vector<Seen> walls;
     if (floorM && ceilingM) {
         std::copy_if(points.begin(), points.end(), std::back_inserter(walls),
-                     [from = *floorM + 0.3, to = *ceilingM - 0.1](const Seen& point) {
+                     [from = *floorM + kLowestWallM, to = *ceilingM - kBelowCeilingM](const Seen& point) {
                          return point.atM.z() > from && point.atM.z() < to;
                      });
     }
@@ -339,7 +403,12 @@ std::optional<FittedRoom> fittedRoom(std::span<const PosedDepth> depths, const D
         const std::size_t before = (i + drawn.size() - 1) % drawn.size();
         shape.outline.push_back(meeting(moved[before], directions[before], moved[i], directions[i]));
     }
-    return FittedRoom{std::move(shape), isWrong};
+    FittedRoom fitted{std::move(shape), isWrong, {}};
+    if (isDrawn && !isWrong) {
+        fitted.wallsSeenThrough =
+            seenThrough(depths, room.outline, {*floorM + kLowestWallM, *ceilingM - kBelowCeilingM});
+    }
+    return fitted;
 }
 
 } // namespace spherewalk::scene

@@ -6,6 +6,7 @@
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/store/survey_store.h"
+#include "spherewalk/survey/marking.h"
 
 #include <algorithm>
 #include <set>
@@ -179,6 +180,25 @@ ExportCheck checkExport(const store::SurveyStore& store, const fs::path& folder,
                         ProgressSink& progress, const std::stop_token& stop) {
     options.validate();
     return Look(store, options).run(folder, progress, stop);
+}
+
+std::vector<std::string> roomDoubts(const scene::FittedRoom& found, const survey::Room& drawn) {
+    if (found.contradictsOutline) {
+        return {
+            "Most of what the photos show stands more than half a metre beyond the drawn outline, which is "
+            "too small or of another room: the dataset has the room that the photos show."};
+    }
+    std::string names;
+    for (const std::size_t wall : found.wallsSeenThrough) {
+        names += text(names.empty() ? "" : ", ", survey::wallName(drawn, static_cast<int>(wall)));
+    }
+    if (names.empty()) {
+        return {};
+    }
+    return {text("Photos see more than half a metre farther than the drawn ",
+                 found.wallsSeenThrough.size() == 1 ? "wall " : "walls ", names,
+                 " in most directions. If there is no window, mirror or opening, correct the outline, and "
+                 "export again.")};
 }
 
 Json toJson(const ExportCheck& check) {

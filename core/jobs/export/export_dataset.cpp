@@ -257,9 +257,10 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, con
     report.roomShape = found.room ? found.room->shape : drawnRoom(store.room(), progress);
     if (found.room && found.room->contradictsOutline) {
         contents.info.outline = found.room->shape.outline;
-        progress.warning("Most of what the photos show stands more than half a metre beyond the drawn "
-                         "outline, which is too "
-                         "small or of another room: the dataset has the room that the photos show.");
+    }
+    for (const std::string& doubt :
+         found.room ? roomDoubts(*found.room, store.room()) : std::vector<std::string>()) {
+        progress.warning(doubt);
     }
     contents.info.roomShape = report.roomShape;
     for (std::size_t i = 0; i < contents.photos.size() && !depth.onlyForScene; ++i) {

@@ -113,6 +113,30 @@ TEST(RoomFit, BelievesAnOutlineWhoseWallsHaveDoorsAndWindows) {
     const auto found = fittedRoom(photos.posed, {kRoom.outline, 2.5});
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->contradictsOutline);
+    EXPECT_TRUE(found->wallsSeenThrough.empty());
+}
+
+TEST(RoomFit, NamesADrawnWallThatPhotosSeeThrough) {
+    Photos photos(kRoom);
+    const Polygon tooShort = {{0, 0}, {2.9, 0}, {2.9, 3}, {0, 3}};
+    const auto found = fittedRoom(photos.posed, {tooShort, 2.5});
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->contradictsOutline);
+    EXPECT_EQ(found->wallsSeenThrough, std::vector<std::size_t>{1});
+    // A wall in two parts, one of which stands where no wall is; and walls that are moved.
+    const Polygon step = {{0, 0}, {4, 0}, {4, 1.5}, {3.1, 1.5}, {3.1, 3}, {0, 3}};
+    EXPECT_EQ(fittedRoom(photos.posed, {step, 2.5})->wallsSeenThrough, std::vector<std::size_t>{3});
+    EXPECT_TRUE(fittedRoom(photos.posed, {{{0.1, -0.1}, {3.6, -0.1}, {3.6, 3.2}, {0.1, 3.2}}})
+                    ->wallsSeenThrough.empty());
+    // Bare walls show too little to say so.
+    for (PhotoDepth& depth : photos.depths) {
+        for (int y = 0; y < depth.sure.height(); ++y) {
+            for (int x = 0; x < depth.sure.width(); ++x) {
+                *depth.sure.at(x, y) = x % 8 < 4 || y % 8 < 4 ? 0 : 1;
+            }
+        }
+    }
+    EXPECT_TRUE(fittedRoom(photos.posed, {tooShort, 2.5})->wallsSeenThrough.empty());
 }
 
 TEST(RoomFit, FindsNothingWithoutSureDepths) {

@@ -11,6 +11,7 @@
 namespace spherewalk::jobs {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 namespace {
@@ -126,6 +127,19 @@ TEST_F(ExportCheckTest, LeavesRejectedPhotosOutOfTheDataset) {
     const ExportReport made = exportDataset(store, survey / "d", {}, noProgress(), {});
     EXPECT_EQ(made.written.photos, 2U);
     EXPECT_EQ(made.rejected, 1);
+}
+
+TEST(RoomDoubts, NameTheDrawnWallsThatPhotosSeeThrough) {
+    survey::Room drawn;
+    drawn.outline = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+    scene::FittedRoom found;
+    EXPECT_TRUE(roomDoubts(found, drawn).empty());
+    found.wallsSeenThrough = {1};
+    EXPECT_THAT(roomDoubts(found, drawn), ElementsAre(HasSubstr("the drawn wall B-C in most")));
+    found.wallsSeenThrough = {1, 3};
+    EXPECT_THAT(roomDoubts(found, drawn), ElementsAre(HasSubstr("the drawn walls B-C, D-A in most")));
+    found.contradictsOutline = true;
+    EXPECT_THAT(roomDoubts(found, drawn), ElementsAre(HasSubstr("too small or of another room")));
 }
 
 } // namespace spherewalk::jobs

@@ -199,6 +199,9 @@ struct ExportCheck {
 ExportCheck checkExport(const store::SurveyStore& store, const std::filesystem::path& folder,
                         const ExportOptions& options, ProgressSink& progress, const std::stop_token& stop);
 
+/// Sentences that say where depths contradict the outline that somebody drew. found: the room by the depths.
+std::vector<std::string> roomDoubts(const scene::FittedRoom& found, const survey::Room& drawn);
+
 /// The depths that earlier exports kept of photos as they are now, by photo: files that render::DepthMap
 /// reads. Cost: little, as nothing is estimated. Errors: those of exportForecast(). Stop: Stopped.
 std::map<std::int64_t, std::filesystem::path>

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,6 +35,10 @@ struct FittedRoom {
     /// The drawn outline is not the room's: most of what the photos show at the height of walls stands more
     /// than half a metre beyond it. The walls were then found without it.
     bool contradictsOutline = false;
+    /// Indices of drawn walls that stand where they do not seem to be: towards most of such a wall photos see
+    /// more than half a metre farther. It is a window, a mirror or an opening, or wrong. Empty for an outline
+    /// that is wrong as a whole.
+    std::vector<std::size_t> wallsSeenThrough;
 
     bool operator==(const FittedRoom&) const = default;
 };
