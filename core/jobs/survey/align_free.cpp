@@ -295,6 +295,17 @@ void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoReco
     }
 }
 
+void widenTurns(const align::FreePlaces& places, AlignReport& report) {
+    for (std::size_t i = 0; i < places.photos.size(); ++i) {
+        align::SolvedPose& pose = report.alignment.photos[i];
+        if (places.photos[i].roomFromPhoto && pose.hasSigmas()) {
+            for (Radians* sigma : {&pose.sigmaYaw, &pose.sigmaPitch, &pose.sigmaRoll, &pose.sigmaOwn}) {
+                *sigma = std::max(*sigma, Radians(places.photos[i].sigmaRad));
+            }
+        }
+    }
+}
+
 void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPrior> priors,
                 AlignReport& report) {
     const Eigen::Vector3d middle = middleOf(places);
@@ -321,6 +332,7 @@ void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPri
         pose.sigmaOwnPositionM = std::max(place.sigmaM, kLeastPlaceSigmaM);
         pose.sigmaPositionM = std::hypot(pose.sigmaOwnPositionM, byScaleM);
     }
+    widenTurns(places, report);
     widen(commonLeanSigma(places, priors, report), report);
     report.alignment.reason = text("The places were solved from the pictures. ", scaleText(places));
     for (const std::string& warning : places.warnings) {

@@ -330,9 +330,11 @@ class AlignRun {
     /// Whether the pictures say where the photos stand, and most tags agree.
     bool solveNearTags() {
         m_tagged = m_priors;
-        const std::optional<FrameSigma> frame = usePlacesByTags(freePlaces(), m_priors);
+        const align::FreePlaces places = freePlaces();
+        const std::optional<FrameSigma> frame = usePlacesByTags(places, m_priors);
         if (frame) {
             solvePoses(0.9, 0.98, frame);
+            widenTurns(places, m_report);
         }
         return frame.has_value();
     }

@@ -140,6 +140,27 @@ TEST_F(PlacesByTags, SayNothingOfTagsThatAreMirroredOrLieTogether) {
     EXPECT_FALSE(usePlacesByTags(m_places, m_priors));
 }
 
+TEST_F(PlacesByTags, StateNoTurnBetterThanThePicturesKnowIt) {
+    AlignReport report;
+    report.alignment.photos.resize(m_places.photos.size());
+    for (align::SolvedPose& pose : report.alignment.photos) {
+        pose.isSolved = true;
+        pose.sigmaYaw = pose.sigmaOwn = Degrees(0.01);
+    }
+    report.alignment.photos[1].doubt = "It may be turned otherwise.";
+    for (align::FreePlace& place : m_places.photos) {
+        place.sigmaRad = Radians(Degrees(0.03)).value();
+    }
+    m_places.photos[2].roomFromPhoto.reset();
+    widenTurns(m_places, report);
+    EXPECT_EQ(report.alignment.photos[0].sigmaYaw, Radians(Degrees(0.03)));
+    EXPECT_EQ(report.alignment.photos[0].sigmaOwn, Radians(Degrees(0.03)));
+    EXPECT_EQ(report.alignment.photos[1].sigmaYaw, Radians(Degrees(0.01)));
+    EXPECT_EQ(report.alignment.photos[2].sigmaYaw, Radians(Degrees(0.01)));
+    widenTurns(m_places, report);
+    EXPECT_EQ(report.alignment.photos[0].sigmaYaw, Radians(Degrees(0.03)));
+}
+
 namespace {
 
 /// Six photos of the practice room that were taken by hand, with tags that are off by a multiple of 10 cm.

@@ -243,6 +243,10 @@ std::optional<FloorMotion> commonMotion(std::span<const Eigen::Vector2d> from,
 void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoRecord> photos,
                align::FreePlaces& places);
 
+/// Lets no turn be stated better than the pictures alone know it: the solver takes errors of places for
+/// independent, but a room bends against another as a whole. Shape: places has one entry a photo.
+void widenTurns(const align::FreePlaces& places, AlignReport& report);
+
 /// Writes the found places into the report's alignment, with what makes them doubtful. priors: one a photo.
 void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPrior> priors,
                 AlignReport& report);
