@@ -209,7 +209,8 @@ void addAlign(Commands& commands) {
                    "Picture, twice as wide as high, black where photos are not to be looked at");
     command
         .option("--position-sigma", options->positionSigmaM,
-                "How far photos stand from where they are tagged, metres, one standard deviation")
+                "How far photos stand from where they are tagged, metres, one standard deviation; from 0.01 "
+                "on the pictures say how photos stand to each other")
         .range(0.0001, 1.0)
         .showDefault();
     command.option("--threads", options->threads, "Threads at most; 0: all that the machine has")

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace spherewalk::jobs {
 
@@ -25,6 +26,8 @@ constexpr Radians kFloorLean = Degrees(0.3);
 constexpr double kLeastPlaceSigmaM = 0.0005;
 /// The same where tags that are rough must not be bent by them.
 constexpr double kLeastTaggedSigmaM = 0.001;
+/// What SolveOptions take for the place of a placement, at most.
+constexpr double kLoosestPlaceM = 10;
 
 int photoNamed(const std::string& file, std::span<const AlignedPhoto> photos) {
     const auto found = std::ranges::find(photos, file, &AlignedPhoto::file);
@@ -251,8 +254,9 @@ std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
         if (photos.size() < kLeastDoubtful || !(aroundM > 0)) {
             continue;
         }
-        frame.placeM = std::max(frame.placeM, fit->sigmaM / std::sqrt(static_cast<double>(photos.size())));
-        frame.heading = std::max(frame.heading, Radians(fit->sigmaM / aroundM));
+        const double ownM = fit->sigmaM / std::sqrt(static_cast<double>(photos.size()));
+        frame.placeM = std::max(frame.placeM, std::min(ownM, kLoosestPlaceM));
+        frame.heading = std::max(frame.heading, Radians(std::min(fit->sigmaM / aroundM, std::numbers::pi)));
         for (const std::size_t i : photos) {
             const Eigen::Vector3d place = fit->scale * places.photos[i].roomFromPhoto->translation;
             align::PhotoPrior& prior = priors[i];

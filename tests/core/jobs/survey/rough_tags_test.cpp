@@ -140,6 +140,19 @@ TEST_F(PlacesByTags, SayNothingOfTagsThatAreMirroredOrLieTogether) {
     EXPECT_FALSE(usePlacesByTags(m_places, m_priors));
 }
 
+TEST_F(PlacesByTags, LeaveTheFrameAsOpenAsASolverTakesIt) {
+    for (align::PhotoPrior& prior : m_priors) {
+        prior.positionSigmaM = 1000;
+    }
+    const std::optional<FrameSigma> frame = usePlacesByTags(m_places, m_priors);
+    ASSERT_TRUE(frame);
+    align::SolveOptions options;
+    options.placementSigmaM = frame->placeM;
+    options.placementSigma = frame->heading;
+    options.validate();
+    EXPECT_EQ(frame->placeM, 10);
+}
+
 TEST_F(PlacesByTags, StateNoTurnBetterThanThePicturesKnowIt) {
     AlignReport report;
     report.alignment.photos.resize(m_places.photos.size());
