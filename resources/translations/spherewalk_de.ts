@@ -2449,6 +2449,14 @@
         <source>The position tags are rough, so the places were solved from the pictures.</source>
         <translation>Die Positionsangaben sind ungenau, also wurden die Orte aus den Bildern berechnet.</translation>
     </message>
+    <message>
+        <source>Only %1 of %2 photos hang together, too few to tell their place from another that looks like it.</source>
+        <translation>Nur %1 von %2 Fotos hängen zusammen, zu wenige, um ihren Ort von einem anderen zu unterscheiden, der ebenso aussieht.</translation>
+    </message>
+    <message>
+        <source>Take photos between them and the others.</source>
+        <translation>Machen Sie Fotos zwischen ihnen und den anderen.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -2459,6 +2459,14 @@
         <source>The position tags are rough, so the places were solved from the pictures.</source>
         <translation>Podane położenia są niedokładne, więc miejsca obliczono ze zdjęć.</translation>
     </message>
+    <message>
+        <source>Only %1 of %2 photos hang together, too few to tell their place from another that looks like it.</source>
+        <translation>Razem łączy się tylko %1 z %2 zdjęć, zbyt mało, by odróżnić ich miejsce od innego, które wygląda tak samo.</translation>
+    </message>
+    <message>
+        <source>Take photos between them and the others.</source>
+        <translation>Zrób zdjęcia między nimi a pozostałymi.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

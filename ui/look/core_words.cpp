@@ -137,6 +137,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take another photo near it."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "Little confirms where it was taken: it shares %1 points with %2 other photos."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "Only %1 of %2 photos hang together, too few to tell their place from another that looks "
+        "like it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos between them and the others."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "Where it was taken is known to %1 cm and %2 deg only: take another photo near it."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",

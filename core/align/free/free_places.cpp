@@ -281,6 +281,13 @@ std::string doubtOf(const FreePlace& place, int confirming, std::size_t photos) 
     return {};
 }
 
+/// Whether a part is so small among all photos that it may be of several places that look alike: doors of a
+/// corridor, each taken from before it, or rooms of one kind.
+bool isSmall(std::size_t photos, std::size_t all) {
+    constexpr std::size_t kFewPhotos = 8;
+    return photos < kFewPhotos && 2 * photos < all;
+}
+
 void report(const Part& part, FreePlaces& made) {
     const std::vector<BundleSigma> sigmas = bundleSigmas(part.bundle);
     const auto shared = sharedPoints(part.bundle);
@@ -298,6 +305,12 @@ void report(const Part& part, FreePlaces& made) {
             confirming += !isOwn && points >= kLeastSharedPoints ? 1 : 0;
         }
         place.doubt = doubtOf(place, confirming, part.photos.size());
+        if (place.doubt.empty() && isSmall(part.photos.size(), made.photos.size())) {
+            place.doubt =
+                text("Only ", part.photos.size(), " of ", made.photos.size(),
+                     " photos hang together, too few to tell their place from another that looks like it. "
+                     "Take photos between them and the others.");
+        }
     }
     made.pointsM = part.bundle.seen;
     made.outline = wallsAround(part.bundle.positions(), made.pointsM);

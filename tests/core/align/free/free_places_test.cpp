@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -345,6 +346,25 @@ TEST(FreePlaces, TellPartsThatNothingConnects) {
 }
 
 // Photos on one line: directions alone would leave open how far apart they are.
+TEST(FreePlaces, DoubtAFewPhotosThatAloneOfManyHangTogether) {
+    const SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(21)));
+    const auto doubted = [&](int together) {
+        std::vector<PairEstimate> estimates = estimatePairs(survey.pairs);
+        for (PairEstimate& estimate : estimates) {
+            if (estimate.b >= together) {
+                estimate.verdict = PairVerdict::NoAgreement;
+            }
+        }
+        const FreePlaces places = freePlaces(survey.photos, survey.pairs, estimates, {}, noProgress(), {});
+        return std::ranges::count_if(places.photos, [](const FreePlace& place) {
+            return place.roomFromPhoto && place.doubt.find("hang together") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(doubted(5), 5); // of 12
+    EXPECT_EQ(doubted(6), 0);
+    EXPECT_EQ(doubted(12), 0);
+}
+
 TEST(FreePlaces, KnowHowFarPhotosOnALineAreApart) {
     SyntheticSurveyOptions options = byHand(7);
     options.columns = 6;
