@@ -225,7 +225,7 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
 }
 
 std::string placesInDoubt(const store::SurveyStore& store) {
-    constexpr double kTagSigmas = 3;
+    constexpr double kTagSigmas = 4; // Of a length in two dimensions: one in 3000 is farther off by chance.
     const std::optional<SolutionFindings> findings = activeFindings(store);
     if (!findings) {
         return "";

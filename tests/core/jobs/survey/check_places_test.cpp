@@ -72,10 +72,10 @@ TEST_F(CheckPlaces, NameAPhotoThatTheSolutionPutsAtAnotherStation) {
     EXPECT_THAT(check(),
                 ElementsAre(AllOf(HasSubstr("nearer to another station"), HasSubstr(first.fileName))));
     const double offM = (stations[1].station.positionM - first.positionM).norm();
-    solution.report = Json{{"position_sigma_m", offM / 2}}.dump(); // The tags may be as wrong as that.
+    solution.report = Json{{"position_sigma_m", offM / 3}}.dump(); // The tags may be as wrong as that.
     store.addSolution(solution, true);
     EXPECT_THAT(check(), IsEmpty());
-    solution.report = Json{{"position_sigma_m", offM / 4}}.dump();
+    solution.report = Json{{"position_sigma_m", offM / 5}}.dump();
     store.addSolution(solution, true);
     EXPECT_THAT(check(), ElementsAre(HasSubstr("nearer to another station")));
 }
