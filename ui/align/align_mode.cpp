@@ -275,7 +275,7 @@ void AlignMode::run() {
     jobs::AlignOptions options;
     options.isFree = isFree();
     const auto effort = static_cast<align::Effort>(m_effort->currentData().toInt());
-    if (effort != options.chosenEffort()) {
+    if (effort != options.chosenEffort()) { // Else what suits: rough tags want more.
         options.effort = effort;
     }
     if (options.isFree) {

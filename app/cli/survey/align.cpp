@@ -174,7 +174,7 @@ void addAlign(Commands& commands) {
     command.option("survey", options->survey, "Folder of the survey").required();
     command.option("--effort", options->effort,
                    "How much work goes into the pictures: draft, normal, fine or exact; without it normal, "
-                   "and fine with --positions free");
+                   "and fine where the pictures place the photos (--positions free, rough tags)");
     command
         .option("--model", options->model,
                 "What is solved: yaw, tilt, placement, position, or auto (what the photos support)")

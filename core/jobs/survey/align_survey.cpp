@@ -34,7 +34,8 @@ enum class PlacesBy {
 };
 
 align::Effort effortBy(PlacesBy by, const AlignOptions& options) {
-    return options.effort.value_or(by == PlacesBy::Tags ? align::Effort::Normal : align::Effort::Fine);
+    return by == PlacesBy::PicturesNearTags ? options.effort.value_or(align::Effort::Fine)
+                                            : options.chosenEffort();
 }
 
 constexpr const char* kCacheFolder = "align-cache";
@@ -277,14 +278,12 @@ class AlignRun {
 
     bool solve() {
         const auto begin = SteadyClock::now();
-        bool isSolved = true;
         if (m_by == PlacesBy::Tags) {
             solveByTags();
         } else if (m_by == PlacesBy::Pictures) {
             solveFree();
-        } else {
-            isSolved = solveNearTags();
         }
+        const bool isSolved = m_by != PlacesBy::PicturesNearTags || solveNearTags();
         m_report.solveSeconds = secondsSince(begin);
         return isSolved;
     }

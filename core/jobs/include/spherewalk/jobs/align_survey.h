@@ -40,7 +40,7 @@ struct MeasuredDistance {
 };
 
 struct AlignOptions {
-    /// Empty: fine where places are solved from the pictures alone, which needs more of them; else normal.
+    /// Empty: fine where the pictures place photos (isFree, hasRoughTags()), which takes more; else normal.
     std::optional<align::Effort> effort;
     align::Model model = align::Model::Auto;
     /// A grey picture of any size, twice as wide as high. Photos are not looked at where it is black. Empty
