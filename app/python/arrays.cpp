@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace spherewalk::python {
 
@@ -21,6 +22,18 @@ constexpr py::ssize_t kMostPixels = 32768; ///< along a side, as a camera's
 std::string typeText(const py::object& value) {
     return py::isinstance<py::array>(value) ? py::str(value.attr("dtype")).cast<std::string>()
                                             : text("a ", Py_TYPE(value.ptr())->tp_name);
+}
+
+/// Nothing for what is no array. What else was raised meanwhile, Ctrl-C for one, is the caller's.
+std::optional<py::array> arrayFrom(const py::object& values) {
+    try {
+        return py::array(values);
+    } catch (const py::error_already_set& raised) {
+        if (raised.matches(PyExc_TypeError) || raised.matches(PyExc_ValueError)) {
+            return std::nullopt;
+        }
+        throw;
+    }
 }
 
 py::array pixelsOf(const py::object& value, std::string_view types, bool hasType, std::string_view what) {
@@ -63,14 +76,13 @@ std::string shapeText(const py::array& array) {
 }
 
 Numbers numbersFrom(const py::object& values, std::string_view what) {
-    const py::array array = py::array::ensure(values);
-    if (!array) {
-        PyErr_Clear();
-    }
+    const std::optional<py::array> converted = arrayFrom(values);
     constexpr std::string_view kRealKinds = "iuf";
-    if (!array || kRealKinds.find(array.dtype().kind()) == std::string_view::npos) {
-        refuse(what, text("must be real numbers; it is ", typeText(array ? py::object(array) : values), "."));
+    if (!converted || kRealKinds.find(converted->dtype().kind()) == std::string_view::npos) {
+        refuse(what, text("must be real numbers; it is ",
+                          typeText(converted ? py::object(*converted) : values), "."));
     }
+    const py::array& array = *converted;
     const Numbers numbers = py::cast<py::array_t<double, py::array::c_style | py::array::forcecast>>(array);
     if (!std::all_of(numbers.data(), numbers.data() + numbers.size(),
                      [](double number) { return std::isfinite(number); })) {

@@ -145,7 +145,7 @@ def test_what_a_progress_function_raises_ends_the_call():
 
 
 def test_ctrl_c_ends_many_views(renderer, camera):
-    poses = [BODY_POSE] * 100_000
+    poses = np.tile(BODY_POSE, (100_000, 1))  # a list would be interrupted while it is read
     previous = signal.signal(signal.SIGALRM, signal.default_int_handler)  # as Ctrl-C does
     signal.setitimer(signal.ITIMER_REAL, 0.3)
     try:
@@ -154,6 +154,15 @@ def test_ctrl_c_ends_many_views(renderer, camera):
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, previous)
+
+
+def test_ctrl_c_while_poses_are_read_is_no_wrong_input(renderer, camera):
+    class Poses:
+        def __array__(self, *_, **__):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        renderer.render_many(camera, Poses())
 
 
 def test_a_forked_process_makes_its_own_renderer(renderer, small, dataset):
