@@ -116,8 +116,15 @@ std::vector<Component> componentsOf(int photos, const std::vector<GraphEdge>& ed
     return components;
 }
 
-// Whether a photo was compared with many others, of which few agree and none in a triangle. It may be a
-// mirror image, or a photo of another room.
+// Whether so many of a pair's matches agree that no chance and no other room makes them.
+bool isBeyondChance(const PairEstimate& estimate) {
+    constexpr int kInliers = 50;
+    constexpr double kShare = 0.7;
+    return estimate.inliers >= kInliers && estimate.inlierShare >= kShare;
+}
+
+// Whether a photo was compared with many others, of which few agree, none in a triangle and none beyond
+// chance. It may be a mirror image, or a photo of another room. Photos behind a wall agree with none, either.
 std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimates,
                               const std::vector<GraphEdge>& edges) {
     std::vector<int> compared(static_cast<std::size_t>(photos), 0);
@@ -131,7 +138,8 @@ std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimate
         for (const int photo : {edge.a, edge.b}) {
             const auto at = static_cast<std::size_t>(photo);
             ++agreeing[at];
-            isConfirmed[at] = isConfirmed[at] || edge.closed > 0;
+            isConfirmed[at] = isConfirmed[at] || edge.closed > 0 ||
+                              isBeyondChance(estimates[static_cast<std::size_t>(edge.pair)]);
         }
     }
     std::vector<bool> found;
@@ -191,8 +199,10 @@ std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d
                                                  const NeighbourOptions& options) {
     DisjointSets parts(positionsM.size());
     for (const Component& component : poseGraph(static_cast<int>(positionsM.size()), estimates).components) {
-        for (const int photo : component.photos) {
-            parts.join(photo, component.photos.front());
+        for (const GraphEdge& edge : component.edges) {
+            if (edge.closed > 0 || isBeyondChance(estimates[static_cast<std::size_t>(edge.pair)])) {
+                parts.join(edge.a, edge.b);
+            }
         }
     }
     std::vector<std::pair<int, int>> apart = neighbours(positionsM, options);

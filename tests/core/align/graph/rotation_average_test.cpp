@@ -209,6 +209,23 @@ TEST(PoseGraph, PassesOverWhatIsNoConstraintOrNoRotation) {
     EXPECT_TRUE(graph.contradicted.empty());
 }
 
+TEST(PoseGraph, KeepsAPhotoWithOneGoodNeighbourThoughWallsHideTheOthers) {
+    const auto componentsWith = [](double share) {
+        std::vector<PairEstimate> estimates(4);
+        for (int i = 0; i < 4; ++i) {
+            PairEstimate& estimate = estimates[static_cast<std::size_t>(i)];
+            estimate.a = 0;
+            estimate.b = i + 1;
+        }
+        estimates[0].verdict = PairVerdict::Constraint;
+        estimates[0].inliers = 71;
+        estimates[0].inlierShare = share;
+        return poseGraph(5, estimates).components.size();
+    };
+    EXPECT_EQ(componentsWith(0.85), 1U);
+    EXPECT_EQ(componentsWith(0.4), 0U); // so do mirror images
+}
+
 TEST(PoseGraph, OfNothingHasNoComponents) {
     EXPECT_TRUE(poseGraph(0, {}).components.empty());
     EXPECT_TRUE(poseGraph(7, {}).components.empty());

@@ -138,21 +138,43 @@ TEST(Neighbours, RefusePositionsThatAreNotFinite) {
     });
 }
 
+namespace {
+
+/// A pair that so many of a hundred matches hold.
+PairEstimate held(int a, int b, int inliers) {
+    PairEstimate estimate;
+    estimate.a = a;
+    estimate.b = b;
+    estimate.verdict = PairVerdict::Constraint;
+    estimate.inliers = inliers;
+    estimate.inlierShare = inliers / 100.0;
+    return estimate;
+}
+
+} // namespace
+
 TEST(NeighboursApart, AreThosePairsThatNoEstimateJoins) {
     const Positions positions = grid(4, 1, 0.5);
     const auto all = neighbours(positions);
     EXPECT_EQ(neighboursApart(positions, {}), all);
-    const auto held = [](int a, int b) {
-        PairEstimate estimate;
-        estimate.a = a;
-        estimate.b = b;
-        estimate.verdict = PairVerdict::Constraint;
-        return estimate;
-    };
-    for (const auto& [a, b] : neighboursApart(positions, std::vector{held(0, 1), held(2, 3)})) {
+    for (const auto& [a, b] : neighboursApart(positions, std::vector{held(0, 1, 90), held(2, 3, 90)})) {
         EXPECT_TRUE(a < 2 && b >= 2) << a << " and " << b;
     }
-    EXPECT_TRUE(neighboursApart(positions, std::vector{held(0, 1), held(1, 2), held(2, 3)}).empty());
+    const std::vector joined{held(0, 1, 90), held(1, 2, 90), held(2, 3, 90)};
+    EXPECT_TRUE(neighboursApart(positions, joined).empty());
+}
+
+TEST(NeighboursApart, AreLookedAtAgainWhereOneWeakPairAloneJoinsTwoParts) {
+    const Positions positions = grid(4, 1, 0.5);
+    const auto apart =
+        neighboursApart(positions, std::vector{held(0, 1, 90), held(1, 2, 20), held(2, 3, 90)});
+    ASSERT_FALSE(apart.empty());
+    for (const auto& [a, b] : apart) {
+        EXPECT_TRUE(a < 2 && b >= 2) << a << " and " << b;
+    }
+    const std::vector confirmed{held(0, 1, 20), held(1, 2, 20), held(2, 3, 20), held(0, 2, 20),
+                                held(1, 3, 20)};
+    EXPECT_TRUE(neighboursApart(positions, confirmed).empty());
 }
 
 } // namespace spherewalk::align
