@@ -197,10 +197,11 @@ PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int lea
 std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d> positionsM,
                                                  std::span<const PairEstimate> estimates,
                                                  const NeighbourOptions& options) {
+    constexpr int kJoining = 20;
     DisjointSets parts(positionsM.size());
     for (const Component& component : poseGraph(static_cast<int>(positionsM.size()), estimates).components) {
         for (const GraphEdge& edge : component.edges) {
-            if (edge.closed > 0 || isBeyondChance(estimates[static_cast<std::size_t>(edge.pair)])) {
+            if (edge.closed > 0 || estimates[static_cast<std::size_t>(edge.pair)].inliers >= kJoining) {
                 parts.join(edge.a, edge.b);
             }
         }

@@ -167,13 +167,13 @@ TEST(NeighboursApart, AreThosePairsThatNoEstimateJoins) {
 TEST(NeighboursApart, AreLookedAtAgainWhereOneWeakPairAloneJoinsTwoParts) {
     const Positions positions = grid(4, 1, 0.5);
     const auto apart =
-        neighboursApart(positions, std::vector{held(0, 1, 90), held(1, 2, 20), held(2, 3, 90)});
+        neighboursApart(positions, std::vector{held(0, 1, 90), held(1, 2, 18), held(2, 3, 90)});
     ASSERT_FALSE(apart.empty());
     for (const auto& [a, b] : apart) {
         EXPECT_TRUE(a < 2 && b >= 2) << a << " and " << b;
     }
-    const std::vector confirmed{held(0, 1, 20), held(1, 2, 20), held(2, 3, 20), held(0, 2, 20),
-                                held(1, 3, 20)};
+    const std::vector confirmed{held(0, 1, 18), held(1, 2, 18), held(2, 3, 18), held(0, 2, 18),
+                                held(1, 3, 18)};
     EXPECT_TRUE(neighboursApart(positions, confirmed).empty());
 }
 

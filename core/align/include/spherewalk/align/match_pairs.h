@@ -38,9 +38,8 @@ std::vector<std::pair<int, int>> neighbours(std::span<const Eigen::Vector3d> pos
 
 /// The neighbours that are worth another look: the pairs of neighbours() whose photos these estimates leave
 /// in different parts of the survey. Photos that no estimate joins to any other are parts of their own. A
-/// weak pair, one of less than 50 inliers or 70 % of its matches, joins nothing unless a triangle confirms
-/// it, since a single wrong pair would join two rooms. Errors: those of neighbours(); InvalidInput for an
-/// estimate of photos that do not exist.
+/// pair of less than 20 inliers joins nothing unless a triangle confirms it, since a single wrong pair would
+/// join two rooms. Errors: those of neighbours(); InvalidInput for an estimate of photos that do not exist.
 std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d> positionsM,
                                                  std::span<const PairEstimate> estimates,
                                                  const NeighbourOptions& options = {});
