@@ -116,7 +116,8 @@ std::vector<Component> componentsOf(int photos, const std::vector<GraphEdge>& ed
     return components;
 }
 
-// Whether so many of a pair's matches agree that no chance and no other room makes them.
+// Whether so many of a pair's matches agree that chance does not explain them. A place that is built alike
+// may.
 bool isBeyondChance(const PairEstimate& estimate) {
     constexpr int kInliers = 50;
     constexpr double kShare = 0.7;
@@ -197,7 +198,7 @@ PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int lea
 std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d> positionsM,
                                                  std::span<const PairEstimate> estimates,
                                                  const NeighbourOptions& options) {
-    constexpr int kJoining = 20;
+    constexpr int kJoining = 20; // Inliers of a pair that joins two parts by itself.
     DisjointSets parts(positionsM.size());
     for (const Component& component : poseGraph(static_cast<int>(positionsM.size()), estimates).components) {
         for (const GraphEdge& edge : component.edges) {
