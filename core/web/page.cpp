@@ -15,6 +15,26 @@ namespace spherewalk::web {
 
 namespace {
 
+Json english() {
+    return parseJson(pageFile("words.json"), "words.json");
+}
+
+} // namespace
+
+std::string word(std::string_view key) {
+    return english().at(std::string(key)).get<std::string>();
+}
+
+Json allWords(const PageWords& words) {
+    Json result = english();
+    for (auto& [key, value] : result.items()) {
+        value = words(value.get<std::string>());
+    }
+    return result;
+}
+
+namespace {
+
 Json pointOf(const Eigen::Vector2d& point) {
     return {point.x(), point.y()};
 }

@@ -96,7 +96,8 @@ class Sightline {
                 break; // Something may stand there that hides the rest.
             }
             looking = std::max(looking, votes.through);
-            if (votes.through == 0 && looking >= kLeastLooking) {
+            // Something may stand where all see a surface that hides what lies behind it.
+            if (votes.through == 0 && looking >= (metSurface ? kSeveral : kLeastLooking)) {
                 return Foreign::Yes;
             }
             metSurface = metSurface || votes.through == 0;

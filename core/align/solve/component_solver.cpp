@@ -218,7 +218,6 @@ LensEquation lensEquation(const Columns& columns, const RefinementOptions& optio
 void fitLenses(const RefinementOptions& options, std::span<const PhotoPrior> priors, ComponentState& state) {
     constexpr double kPriorM = 0.02;
     constexpr double kFarthestM = 0.05;
-    constexpr double kTogether = 10.0 / 3; // Matches of one thing err together.
     constexpr double kClearSigmas = 3;
     Unknowns& unknowns = state.unknowns;
     const Columns columns(unknowns, options.model);
@@ -226,7 +225,7 @@ void fitLenses(const RefinementOptions& options, std::span<const PhotoPrior> pri
     const double weight = equation.weight + 1 / (kPriorM * kPriorM);
     const double before = unknowns.lenses.aheadM;
     const double fitted = before - (equation.slope + before / (kPriorM * kPriorM)) / weight;
-    unknowns.lensSigmaM = kTogether / std::sqrt(weight);
+    unknowns.lensSigmaM = kErrTogether / std::sqrt(weight);
     const bool isClear = std::abs(fitted) > kClearSigmas * unknowns.lensSigmaM;
     unknowns.lenses.aheadM = isClear ? std::clamp(fitted, -kFarthestM, kFarthestM) : 0;
     move(columns, (unknowns.lenses.aheadM - before) * equation.answer, unknowns);

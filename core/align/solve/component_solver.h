@@ -52,6 +52,28 @@ struct ModelChoice {
 ModelChoice chooseModel(const ComponentInput& input, ComponentState& state, ProgressSink& progress,
                         const std::stop_token& stop);
 
+/// Solves again with wider priors where the solved places contradict what the priors promise: a camera in the
+/// hand does not keep its height like a cart, and heights that are believed too much make the whole lean.
+/// priors: those of the input. Returns whether anything changed.
+bool widenPriors(std::vector<PhotoPrior>& priors, const ComponentInput& input, Model model,
+                 ComponentState& state, ProgressSink& progress, const std::stop_token& stop);
+
+/// Solves again with narrower priors where rails and photos lie nearer to their places than the priors
+/// promise, all in all: then a room behind a door is held by its tags rather than by the little that is seen
+/// through the door. What the matches do not know counts for nothing. A model that solves no places is not
+/// solved again; its errors are then those of the narrower priors. priors, options: those of the input.
+/// Returns whether anything changed.
+/// Source: MacKay, Bayesian Interpolation, 1992 (the effective number of parameters).
+bool narrowPriors(std::vector<PhotoPrior>& priors, SolveOptions& options, const ComponentInput& input,
+                  Model model, ComponentState& state, ProgressSink& progress, const std::stop_token& stop);
+
+/// Takes out the matches that the solution follows although no other match says the same, and solves again
+/// without them. A few photos that see little of each other, as through a door, are turned by one wrong match
+/// otherwise, and it fits then. Where places are solved along, all stay. Writes the leverage of those that
+/// stay. Returns whether any was taken out.
+bool dropSelfWilled(const ComponentInput& input, Model model, ComponentState& state, ProgressSink& progress,
+                    const std::stop_token& stop);
+
 /// Turns single photos to where their neighbours' pair estimates put them, wherever that lowers the cost.
 /// Returns the number of photos turned.
 int turnStrays(const ComponentInput& input, Model model, ComponentState& state);

@@ -29,6 +29,8 @@ struct UsedMatch {
     double sigmaRad = 0;
     int match = 0; ///< Index among the pair's matches.
     int track = 0; ///< Number of the thing that its features show, over all photos.
+    /// By how much the solution follows it alone, [0, 1): what it misses by is so much too small.
+    double leverage = 0;
 };
 
 /// A pair with the matches that the solution uses.

@@ -33,6 +33,10 @@ struct RefinementOptions {
 /// where it was planned.
 constexpr double kLeastPlacementSigma = 1e-5;
 
+/// Matches of one thing err together: all of them know a number so many times worse than each by itself
+/// would.
+constexpr double kErrTogether = 10.0 / 3;
+
 /// Holds a photo upright. Residuals: the lean of the photo's own up vector in the room (leanOf()), in
 /// standard deviations. A photo that hangs upside down costs most, so upright is the only rest. Parameters:
 /// the photo's turn from its reference.

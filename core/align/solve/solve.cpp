@@ -271,50 +271,16 @@ SolveAttempt bestAttempt(const Component& component, const ComponentInput& input
     return std::move(*best);
 }
 
-void scaleSigmas(std::vector<PhotoPrior>& priors, const Unknowns& unknowns, const PriorScatter& by) {
-    constexpr double kMostM = 5;
-    for (const int photo : unknowns.photo) {
-        PhotoPrior& prior = priors[static_cast<std::size_t>(photo)];
-        prior.positionSigmaM = std::min(kMostM, by.along * prior.positionSigmaM);
-        prior.heightSigmaM = std::min(kMostM, by.height * prior.heightSigmaM);
-    }
-}
-
-/// How much more the offsets may scatter by chance than their priors promise. A scatter that is found by a
-/// median is good to its part of 0.83 / sqrt(freedom) (one standard deviation).
-double mostByChance(double freedom) {
-    constexpr double kSigmas = 3;
-    constexpr double kHarmless = 1.5;
-    return std::max(kHarmless, 1 + kSigmas * 0.83 / std::sqrt(std::max(1.0, freedom)));
-}
-
-/// Solves again with wider priors where the solved places contradict what the priors promise: a camera in the
-/// hand does not keep its height like a cart, and heights that are believed too much make the whole lean.
-/// priors: those of the input.
-void widenPriors(std::vector<PhotoPrior>& priors, const ComponentInput& input, SolveAttempt& made,
-                 ProgressSink& progress, const std::stop_token& stop) {
-    constexpr double kSettled = 1.2;
-    constexpr int kMostRounds = 4;
-    PriorScatter widened;
-    const Eigen::Vector3d freedom = offsetFreedom(made.state.unknowns);
-    const auto step = [](double scatter, double most, double& all) {
-        const bool isOff = all > 1 ? std::max(scatter, 1 / scatter) > kSettled : scatter > most;
-        const double by = isOff ? std::max(scatter, 1 / all) : 1;
-        all *= by;
-        return by;
-    };
-    for (int round = 0; round < kMostRounds && solvesPosition(made.choice.model); ++round) {
-        PriorScatter scatter = priorScatter(made.state.unknowns, priors);
-        scatter.height = std::max(scatter.height, commonLeanScatter(made.state.unknowns, priors));
-        const PriorScatter by = {step(scatter.along, mostByChance(freedom.x()), widened.along),
-                                 step(scatter.height, mostByChance(freedom.z()), widened.height)};
-        if (by.along == 1 && by.height == 1) {
-            break;
-        }
-        scaleSigmas(priors, made.state.unknowns, by);
-        solveModel(input, made.choice.model, true, made.state, progress, stop);
-    }
-    if (widened.along > 1 || widened.height > 1) {
+/// Makes the priors as wide as the solved places show them to be, and solves again. options: those of the
+/// input, as are the priors.
+void correctPriors(std::vector<PhotoPrior>& priors, SolveOptions& options, const ComponentInput& input,
+                   SolveAttempt& made, ProgressSink& progress, const std::stop_token& stop) {
+    const bool isWider = widenPriors(priors, input, made.choice.model, made.state, progress, stop);
+    const bool isNarrower =
+        options.narrowsPriors && !input.candidates.solvesPlaces &&
+        narrowPriors(priors, options, input, made.choice.model, made.state, progress, stop);
+    const bool isDropped = dropSelfWilled(input, made.choice.model, made.state, progress, stop);
+    if (isWider || isNarrower || isDropped) {
         made.quality = quality(input, made.state);
         made.sides = pairSides(input, made.state);
         made.travel = travelSign(made.sides);
@@ -411,7 +377,8 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
             0.98 * static_cast<double>(component.photos.size()) / static_cast<double>(photos.size());
         ProgressStep step(progress, done, done + 0.9 * share);
         done += share;
-        ComponentInput input = inputOf(component, priors, candidates, options);
+        SolveOptions own = options;
+        ComponentInput input = inputOf(component, priors, candidates, own);
         // The largest component chooses the model: small ones have too little to choose by.
         Model wanted = i == 0 ? options.model : alignment.model;
         const bool isRough = areRough(component, priors, estimates);
@@ -421,7 +388,7 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
         }
         input.candidates.solvesPlaces = isRough && solvesPosition(wanted);
         SolveAttempt made = bestAttempt(component, input, estimates, wanted, step, stop);
-        widenPriors(priors, input, made, step, stop);
+        correctPriors(priors, own, input, made, step, stop);
         if (input.candidates.solvesPlaces && made.orientation.agreeingShare < 0.5) {
             made.travel = TravelSign::Unclear; // Most directions speak against the way that it looks.
         }

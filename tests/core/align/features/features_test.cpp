@@ -29,7 +29,7 @@ FeatureOptions smallOptions() {
     return options;
 }
 
-Eigen::Quaterniond turn(double degrees, const Eigen::Vector3d& axis) {
+Eigen::Quaterniond turnBy(double degrees, const Eigen::Vector3d& axis) {
     return Eigen::Quaterniond(Eigen::AngleAxisd(degrees * kPi / 180, axis));
 }
 
@@ -78,7 +78,7 @@ TEST_P(EachDetector, HasNoBiasBetweenAPhotoAndTheSameUpsideDown) {
     FeatureOptions options = smallOptions();
     options.detector = GetParam();
     options.lowestElevation = Degrees(-90);
-    const Eigen::Quaterniond rolled = turn(180, Eigen::Vector3d::UnitX());
+    const Eigen::Quaterniond rolled = turnBy(180, Eigen::Vector3d::UnitX());
     const Features a = detectFeatures(noisePhoto(Eigen::Quaterniond::Identity()), options);
     const Features b = detectFeatures(noisePhoto(rolled), options);
     const auto matches = matchFeatures(a, b, {});
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Features, EachDetector,
 TEST(Features, AreTheSameWhereverTheSeamIs) {
     FeatureOptions options = smallOptions();
     options.most = 3000;
-    const Eigen::Quaterniond turned = turn(180, Eigen::Vector3d::UnitZ());
+    const Eigen::Quaterniond turned = turnBy(180, Eigen::Vector3d::UnitZ());
     const Features a = detectFeatures(noisePhoto(Eigen::Quaterniond::Identity()), options);
     const Features b = detectFeatures(noisePhoto(turned), options);
     EXPECT_NEAR(a.count(), b.count(), 0.02 * a.count());
@@ -173,7 +173,7 @@ TEST(Features, OfAJpegDecodedSmallAreThoseOfThePicture) {
 TEST(Features, ThatAreUprightMatchWhateverTheYaw) {
     FeatureOptions options = smallOptions();
     options.isUpright = true;
-    const Eigen::Quaterniond turned = turn(73, Eigen::Vector3d::UnitZ());
+    const Eigen::Quaterniond turned = turnBy(73, Eigen::Vector3d::UnitZ());
     const Features a = detectFeatures(noisePhoto(Eigen::Quaterniond::Identity()), options);
     const Features b = detectFeatures(noisePhoto(turned), options);
     int atHorizon = 0;
