@@ -77,7 +77,8 @@ PairScores scoresOf(const UsedPair& pair, std::span<const PhotoState> states,
     forEachRow(pair, states, [&](const UsedMatch& match, const MatchRow& row) {
         const double residual = row.residual / options.scale;
         const Bounded robust = bounded(residual, options.width);
-        made.scores.col(count++) = (robust.value * robust.slope / options.scale / (1 - match.leverage)) * row.by;
+        made.scores.col(count++) =
+            (robust.value * robust.slope / options.scale / (1 - match.leverage)) * row.by;
         const double slope = scoreSlope(residual, options.width) / (options.scale * options.scale);
         made.matrix += slope * row.by * row.by.transpose();
         made.track.push_back(match.track);
