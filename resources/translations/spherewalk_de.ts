@@ -2226,6 +2226,10 @@
         <translation>Kein Nachbar hat genug mit ihm gemeinsam.</translation>
     </message>
     <message>
+        <source>Compared with %1 photos, it shares enough with %2, and nothing confirms that.</source>
+        <translation>Verglichen mit %1 Fotos hat es mit %2 genug gemeinsam, und nichts bestätigt das.</translation>
+    </message>
+    <message>
         <source>What its neighbours say of it contradicts what they say of each other.</source>
         <translation>Was die Nachbarn von ihm sagen, widerspricht dem, was sie voneinander sagen.</translation>
     </message>

@@ -2236,6 +2236,10 @@
         <translation>Żadne sąsiednie zdjęcie nie ma z nim dość wspólnego.</translation>
     </message>
     <message>
+        <source>Compared with %1 photos, it shares enough with %2, and nothing confirms that.</source>
+        <translation>Porównane ze zdjęciami (%1), ma dość wspólnego z %2, a nic tego nie potwierdza.</translation>
+    </message>
+    <message>
         <source>What its neighbours say of it contradicts what they say of each other.</source>
         <translation>To, co mówią o nim sąsiednie zdjęcia, przeczy temu, co mówią o sobie nawzajem.</translation>
     </message>

@@ -66,6 +66,8 @@ constexpr const char* kOfAlignments[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "It was compared with no other photo."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "No neighbour shares enough with it."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Compared with %1 photos, it shares enough with %2, and nothing confirms that."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "What its neighbours say of it contradicts what they say of each other."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "The survey falls into %1 parts that share no photo pair; part %2 is %3."),

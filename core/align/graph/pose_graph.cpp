@@ -127,10 +127,11 @@ bool isBeyondChance(const PairEstimate& estimate) {
 // Whether a photo was compared with many others, of which few agree, none in a triangle and none beyond
 // chance. It may be a mirror image, or a photo of another room. Photos behind a wall agree with none, either.
 std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimates,
-                              const std::vector<GraphEdge>& edges) {
+                              const std::vector<GraphEdge>& edges, const std::vector<bool>& confirmed) {
     std::vector<int> compared(static_cast<std::size_t>(photos), 0);
     std::vector<int> agreeing(static_cast<std::size_t>(photos), 0);
-    std::vector<bool> isConfirmed(static_cast<std::size_t>(photos), false);
+    std::vector<bool> isConfirmed = confirmed;
+    isConfirmed.resize(static_cast<std::size_t>(photos), false);
     for (const PairEstimate& estimate : estimates) {
         ++compared[static_cast<std::size_t>(estimate.a)];
         ++compared[static_cast<std::size_t>(estimate.b)];
@@ -152,12 +153,13 @@ std::vector<bool> unconfirmed(int photos, std::span<const PairEstimate> estimate
 
 } // namespace
 
-PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed) {
+PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed,
+                    const std::vector<bool>& confirmed) {
     checkPhotos(photos, estimates);
     PoseGraph graph;
     std::vector<GraphEdge> edges = edgesOf(estimates);
     graph.cycleErrorRad = median(closeTriangles(photos, edges));
-    const std::vector<bool> isUnconfirmed = unconfirmed(photos, estimates, edges);
+    const std::vector<bool> isUnconfirmed = unconfirmed(photos, estimates, edges, confirmed);
     // A pair that none of its many triangles supports would drag its photos along in the average.
     std::erase_if(edges, [&](const GraphEdge& edge) {
         const bool isAlone = edge.closed < leastClosed || (edge.triangles >= 3 && edge.closed == 0) ||

@@ -40,9 +40,11 @@ struct PoseGraph {
 
 /// How the photos are turned to each other: rotations averaged over all pairs, from several spanning trees.
 /// Pairs that contradict the others are left out. leastClosed: number of triangles that must confirm a pair
-/// before it counts. Estimates that are no constraint, or whose rotation is not finite, are passed over.
-/// Errors: InvalidInput for an estimate of photos that do not exist.
-PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed = 0);
+/// before it counts. confirmed: photos that need no other photo to confirm them; nothing, or one a photo.
+/// Estimates that are no constraint, or whose rotation is not finite, are passed over. Errors: InvalidInput
+/// for an estimate of photos that do not exist.
+PoseGraph poseGraph(int photos, std::span<const PairEstimate> estimates, int leastClosed = 0,
+                    const std::vector<bool>& confirmed = {});
 
 /// The turn that remains of an edge's rotation between the averaged rotations of its photos. indexOf: the
 /// place of each photo in the component.

@@ -180,4 +180,57 @@ std::vector<RoomOrientation> orientations(const Component& component, std::span<
     return made;
 }
 
+namespace {
+
+/// Whether enough matches agree, and the way between the photos is the one by their tags: of one way in a
+/// hundred that is so by chance. roomFromA: by the other photos.
+bool agreesWithTags(const PairEstimate& pair, const Eigen::Quaterniond& roomFromA,
+                    std::span<const PhotoPrior> photos) {
+    constexpr int kInliers = 20;
+    constexpr double kShare = 0.7;
+    constexpr double kOffRad = 0.17;
+    if (pair.verdict != PairVerdict::Constraint || !pair.baselineInA || pair.inliers < kInliers ||
+        pair.inlierShare < kShare) {
+        return false;
+    }
+    const Eigen::Vector3d way = photos[static_cast<std::size_t>(pair.b)].positionM -
+                                photos[static_cast<std::size_t>(pair.a)].positionM;
+    return way.norm() > 0 && angleBetween(roomFromA * *pair.baselineInA, way).value() < kOffRad;
+}
+
+} // namespace
+
+std::vector<bool> confirmedByTags(const PoseGraph& graph, std::span<const PhotoPrior> photos,
+                                  std::span<const PairEstimate> estimates) {
+    constexpr double kSureShare = 0.7;
+    if (graph.components.empty()) {
+        return {};
+    }
+    const Component& largest = graph.components.front();
+    const RoomOrientation lies = orientations(largest, photos, estimates).front();
+    if (!lies.hasHeading || lies.agreeingShare < kSureShare) {
+        return {};
+    }
+    std::vector<int> placeOf(photos.size(), -1);
+    for (std::size_t i = 0; i < largest.photos.size(); ++i) {
+        placeOf[static_cast<std::size_t>(largest.photos[i])] = static_cast<int>(i);
+    }
+    std::vector<bool> confirmed(photos.size(), false);
+    for (const int at : graph.contradicted) {
+        const PairEstimate& pair = estimates[static_cast<std::size_t>(at)];
+        const int a = placeOf[static_cast<std::size_t>(pair.a)];
+        const int b = placeOf[static_cast<std::size_t>(pair.b)];
+        if ((a < 0) == (b < 0)) {
+            continue;
+        }
+        const Eigen::Quaterniond componentFromA =
+            a >= 0 ? largest.componentFromPhoto[static_cast<std::size_t>(a)]
+                   : largest.componentFromPhoto[static_cast<std::size_t>(b)] * pair.aFromB.conjugate();
+        if (agreesWithTags(pair, lies.roomFromComponent * componentFromA, photos)) {
+            confirmed[static_cast<std::size_t>(a >= 0 ? pair.b : pair.a)] = true;
+        }
+    }
+    return confirmed;
+}
+
 } // namespace spherewalk::align

@@ -25,4 +25,10 @@ struct RoomOrientation {
 std::vector<RoomOrientation> orientations(const Component& component, std::span<const PhotoPrior> photos,
                                           std::span<const PairEstimate> estimates);
 
+/// The photos outside of the largest component that stand, by a good pair with one of its photos, where their
+/// tags put them. Walls may hide them from all others that they were compared with, so that no third photo
+/// confirms them. One entry a photo; none if the tags do not say how the component lies in the room.
+std::vector<bool> confirmedByTags(const PoseGraph& graph, std::span<const PhotoPrior> photos,
+                                  std::span<const PairEstimate> estimates);
+
 } // namespace spherewalk::align

@@ -277,7 +277,7 @@ void correctPriors(std::vector<PhotoPrior>& priors, SolveOptions& options, const
                    SolveAttempt& made, ProgressSink& progress, const std::stop_token& stop) {
     const bool isWider = widenPriors(priors, input, made.choice.model, made.state, progress, stop);
     const bool isNarrower =
-        options.narrowsPriors && !input.candidates.solvesPlaces &&
+        options.areTagged && !input.candidates.solvesPlaces &&
         narrowPriors(priors, options, input, made.choice.model, made.state, progress, stop);
     const bool isDropped = dropSelfWilled(input, made.choice.model, made.state, progress, stop);
     if (isWider || isNarrower || isDropped) {
@@ -341,8 +341,12 @@ std::string whyUnsolved(std::span<const PhotoPrior> photos, std::span<const Pair
     if (pairs == 0) {
         return "It was compared with no other photo.";
     }
-    return held == 0 ? "No neighbour shares enough with it."
-                     : "What its neighbours say of it contradicts what they say of each other.";
+    if (held == 0) {
+        return "No neighbour shares enough with it.";
+    }
+    return 2 * held < pairs ? text("Compared with ", pairs, " photos, it shares enough with ", held,
+                                   ", and nothing confirms that.")
+                            : "What its neighbours say of it contradicts what they say of each other.";
 }
 
 } // namespace
@@ -360,7 +364,11 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
         alignment.photos[i].roomFromPhoto.translation = photos[i].positionM;
         alignment.photos[i].why = whyUnsolved(photos, estimates, static_cast<int>(i));
     }
-    const PoseGraph graph = poseGraph(static_cast<int>(photos.size()), estimates);
+    const int count = static_cast<int>(photos.size());
+    PoseGraph graph = poseGraph(count, estimates);
+    if (options.areTagged) {
+        graph = poseGraph(count, estimates, 0, confirmedByTags(graph, photos, estimates));
+    }
     alignment.cycleErrorRad = graph.cycleErrorRad;
     alignment.components = static_cast<int>(graph.components.size());
     const std::vector<std::vector<int>> trackOf = inlierTracks(pairs, estimates);

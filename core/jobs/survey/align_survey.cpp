@@ -342,7 +342,7 @@ class AlignRun {
         align::SolveOptions options;
         options.model = m_options.model;
         options.threads = m_options.threads;
-        options.narrowsPriors = m_by == PlacesBy::Tags;
+        options.areTagged = m_by == PlacesBy::Tags;
         if (frame) {
             options.placementSigmaM = frame->placeM;
             options.placementSigma = frame->heading;

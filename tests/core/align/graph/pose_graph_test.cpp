@@ -129,4 +129,54 @@ TEST(RoomOrientation, HasNoHeadingWhereAllPhotosShareAPlace) {
     EXPECT_GT(up.z(), 0.999); // upright all the same
 }
 
+namespace {
+
+/// The last photo has one neighbour that shows the same, in 30 matches of 37.
+SimulatedSurvey behindAWall(Random& random) {
+    SimulatedSurvey survey = surveyOf(4, 5, 0, random);
+    const int last = static_cast<int>(survey.photos.size()) - 1;
+    for (PairEstimate& pair : survey.estimates) {
+        if (pair.b != last) {
+            continue;
+        }
+        if (pair.a == last - 1) {
+            pair.inliers = 30;
+            pair.inlierShare = 0.8;
+        } else {
+            pair.verdict = PairVerdict::TooFew;
+        }
+    }
+    return survey;
+}
+
+bool isLastConfirmed(const SimulatedSurvey& survey) {
+    const int count = static_cast<int>(survey.photos.size());
+    const PoseGraph graph = poseGraph(count, survey.estimates);
+    EXPECT_EQ(static_cast<int>(graph.components.front().photos.size()), count - 1);
+    const std::vector<bool> confirmed = confirmedByTags(graph, survey.photos, survey.estimates);
+    EXPECT_LE(std::ranges::count(confirmed, true), 1);
+    const PoseGraph again = poseGraph(count, survey.estimates, 0, confirmed);
+    EXPECT_EQ(static_cast<int>(again.components.front().photos.size()), confirmed.back() ? count : count - 1);
+    return confirmed.back();
+}
+
+} // namespace
+
+TEST(ConfirmedByTags, IsAPhotoThatStandsFromItsNeighbourWhereItsTagSays) {
+    Random random(31);
+    EXPECT_TRUE(isLastConfirmed(behindAWall(random)));
+}
+
+TEST(ConfirmedByTags, IsNoPhotoThatItsTagPutsElsewhereOrThatFewMatchesHold) {
+    Random random(32);
+    SimulatedSurvey elsewhere = behindAWall(random);
+    elsewhere.photos.back().positionM.y() += 0.2;
+    EXPECT_FALSE(isLastConfirmed(elsewhere));
+    SimulatedSurvey few = behindAWall(random);
+    for (PairEstimate& pair : few.estimates) {
+        pair.inliers = pair.inliers == 30 ? 15 : pair.inliers;
+    }
+    EXPECT_FALSE(isLastConfirmed(few));
+}
+
 } // namespace spherewalk::align

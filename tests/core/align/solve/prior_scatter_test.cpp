@@ -38,7 +38,7 @@ Alignment solved(const SyntheticSurvey& survey, Model model, bool narrows) {
     SolveOptions options;
     options.model = model;
     options.threads = 2;
-    options.narrowsPriors = narrows;
+    options.areTagged = narrows;
     return solveSurvey(survey, options);
 }
 

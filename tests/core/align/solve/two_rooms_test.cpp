@@ -51,7 +51,7 @@ SolveOptions positions(bool narrows) {
     SolveOptions options;
     options.model = Model::Position;
     options.threads = 2;
-    options.narrowsPriors = narrows;
+    options.areTagged = narrows;
     return options;
 }
 

@@ -37,9 +37,9 @@ struct SolveOptions {
     Radians placementSigma = Degrees(1); ///< Prior standard deviation of a rail's heading, [0, 180] degrees.
     double heldOutShare = 0.15;          ///< Share of the matches that compares models, (0, 0.5].
     int threads = 0;                     ///< 0 means all that the machine has.
-    /// Priors of places may be narrowed to what the solved places show. Places that come from the same
-    /// pictures would confirm themselves.
-    bool narrowsPriors = true;
+    /// Whether the positions are tags, which may confirm photos and be better than they promise. Positions
+    /// that come from the same pictures would confirm themselves.
+    bool areTagged = true;
 
     /// Errors: InvalidInput, naming the option and its range.
     void validate() const;
