@@ -271,10 +271,10 @@ SolveAttempt bestAttempt(const Component& component, const ComponentInput& input
     return std::move(*best);
 }
 
-/// Makes the priors as wide as the solved places show them to be, and solves again. options: those of the
-/// input, as are the priors.
-void correctPriors(std::vector<PhotoPrior>& priors, SolveOptions& options, const ComponentInput& input,
-                   SolveAttempt& made, ProgressSink& progress, const std::stop_token& stop) {
+/// Believes the priors as far as the solved places bear them out, and no match that nothing confirms, and
+/// solves again. options: those of the input, as are the priors.
+void reconsider(std::vector<PhotoPrior>& priors, SolveOptions& options, const ComponentInput& input,
+                SolveAttempt& made, ProgressSink& progress, const std::stop_token& stop) {
     const bool isWider = widenPriors(priors, input, made.choice.model, made.state, progress, stop);
     const bool isNarrower =
         options.areTagged && !input.candidates.solvesPlaces &&
@@ -396,7 +396,7 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
         }
         input.candidates.solvesPlaces = isRough && solvesPosition(wanted);
         SolveAttempt made = bestAttempt(component, input, estimates, wanted, step, stop);
-        correctPriors(priors, own, input, made, step, stop);
+        reconsider(priors, own, input, made, step, stop);
         if (input.candidates.solvesPlaces && made.orientation.agreeingShare < 0.5) {
             made.travel = TravelSign::Unclear; // Most directions speak against the way that it looks.
         }
