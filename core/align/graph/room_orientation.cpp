@@ -182,15 +182,14 @@ std::vector<RoomOrientation> orientations(const Component& component, std::span<
 
 namespace {
 
-/// Whether enough matches agree, and the way between the photos is the one by their tags: of one way in a
-/// hundred that is so by chance. roomFromA: by the other photos.
+/// Whether enough matches agree, and the way between the photos is that of their tags, as one way in a
+/// hundred is by chance. roomFromA: by the other photos.
 bool agreesWithTags(const PairEstimate& pair, const Eigen::Quaterniond& roomFromA,
                     std::span<const PhotoPrior> photos) {
     constexpr int kInliers = 20;
     constexpr double kShare = 0.7;
     constexpr double kOffRad = 0.17;
-    if (pair.verdict != PairVerdict::Constraint || !pair.baselineInA || pair.inliers < kInliers ||
-        pair.inlierShare < kShare) {
+    if (!pair.baselineInA || pair.inliers < kInliers || pair.inlierShare < kShare) {
         return false;
     }
     const Eigen::Vector3d way = photos[static_cast<std::size_t>(pair.b)].positionM -

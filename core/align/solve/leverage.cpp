@@ -53,15 +53,10 @@ struct WeakPairs {
 
 WeakPairs weakPairs(const ComponentState& state, std::span<const PhotoState> states,
                     const RefinementOptions& options) {
-    WeakPairs made;
+    WeakPairs made{{}, matchMatrices(state.used, states, options)};
     for (std::size_t i = 0; i < state.used.size(); ++i) {
-        const UsedPair& pair = state.used[i];
-        made.matrices.emplace_back(pairNormal(pair, states[static_cast<std::size_t>(pair.a)],
-                                              states[static_cast<std::size_t>(pair.b)], options.scale,
-                                              options.width)
-                                       .topLeftCorner<9, 9>());
         const std::vector<double> alone =
-            leverages(pair, states, options, aloneCovariance(made.matrices.back()));
+            leverages(state.used[i], states, options, aloneCovariance(made.matrices[i]));
         if (!alone.empty() && *std::ranges::max_element(alone) > kMostLeverage) {
             made.at.push_back(i);
         }

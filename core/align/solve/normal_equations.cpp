@@ -102,6 +102,19 @@ std::vector<PriorRow> priorRows(const Columns& columns, const Unknowns& unknowns
     return rows;
 }
 
+std::vector<Eigen::Matrix<double, 9, 9>> matchMatrices(std::span<const UsedPair> pairs,
+                                                       std::span<const PhotoState> states,
+                                                       const RefinementOptions& options) {
+    std::vector<Eigen::Matrix<double, 9, 9>> made;
+    for (const UsedPair& pair : pairs) {
+        const PairNormal normal =
+            pairNormal(pair, states[static_cast<std::size_t>(pair.a)],
+                       states[static_cast<std::size_t>(pair.b)], options.scale, options.width);
+        made.emplace_back(normal.topLeftCorner<9, 9>());
+    }
+    return made;
+}
+
 Eigen::SparseMatrix<double> normalMatrix(const Columns& columns, const Unknowns& unknowns,
                                          std::span<const UsedPair> pairs,
                                          std::span<const Eigen::Matrix<double, 9, 9>> pairMatrices,

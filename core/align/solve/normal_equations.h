@@ -52,6 +52,12 @@ PairColumns pairColumns(const Columns& columns, const Unknowns& unknowns, const 
 std::vector<PriorRow> priorRows(const Columns& columns, const Unknowns& unknowns,
                                 std::span<const PhotoPrior> priors, const RefinementOptions& options);
 
+/// What the matches of each pair know of its nine numbers, as least squares count them: pairNormal() without
+/// its last row and column.
+std::vector<Eigen::Matrix<double, 9, 9>> matchMatrices(std::span<const UsedPair> pairs,
+                                                       std::span<const PhotoState> states,
+                                                       const RefinementOptions& options);
+
 /// The normal matrix of the matches and of the priors. pairMatrices: one a pair, by its nine numbers.
 Eigen::SparseMatrix<double> normalMatrix(const Columns& columns, const Unknowns& unknowns,
                                          std::span<const UsedPair> pairs,

@@ -2,7 +2,6 @@
 #include "graph/pose_graph.h"
 #include "solve/component_solver.h"
 #include "solve/normal_equations.h"
-#include "solve/pair_normal.h"
 
 #include <algorithm>
 #include <array>
@@ -115,13 +114,10 @@ class PriorTrial {
         : m_options(refinementOptions(*input.options, Model::Position, state.scale)),
           m_columns(state.unknowns, Model::Position),
           m_held(heldNumbers(m_columns, state.unknowns, input.priors, m_options)) {
-        const std::vector<PhotoState> states = state.unknowns.states();
-        std::vector<Eigen::Matrix<double, 9, 9>> matrices;
-        for (const UsedPair& pair : state.used) {
-            const PairNormal normal =
-                pairNormal(pair, states[static_cast<std::size_t>(pair.a)],
-                           states[static_cast<std::size_t>(pair.b)], state.scale, m_options.width);
-            matrices.emplace_back(normal.topLeftCorner<9, 9>() / (kErrTogether * kErrTogether));
+        std::vector<Eigen::Matrix<double, 9, 9>> matrices =
+            matchMatrices(state.used, state.unknowns.states(), m_options);
+        for (Eigen::Matrix<double, 9, 9>& matrix : matrices) {
+            matrix /= kErrTogether * kErrTogether;
         }
         m_stated = normalMatrix(m_columns, state.unknowns, state.used, matrices,
                                 priorRows(m_columns, state.unknowns, input.priors, m_options));

@@ -366,8 +366,10 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
     }
     const int count = static_cast<int>(photos.size());
     PoseGraph graph = poseGraph(count, estimates);
-    if (options.areTagged) {
-        graph = poseGraph(count, estimates, 0, confirmedByTags(graph, photos, estimates));
+    const std::vector<bool> confirmed =
+        options.areTagged ? confirmedByTags(graph, photos, estimates) : std::vector<bool>();
+    if (std::ranges::find(confirmed, true) != confirmed.end()) {
+        graph = poseGraph(count, estimates, 0, confirmed);
     }
     alignment.cycleErrorRad = graph.cycleErrorRad;
     alignment.components = static_cast<int>(graph.components.size());
