@@ -19,31 +19,39 @@ namespace {
 constexpr double kLeastExpected = 20;   ///< Fewer things say nothing for or against a pair.
 constexpr double kClearlyExpected = 50; ///< So many things that are not there contradict a pair.
 constexpr double kContradicted = 0.05;  ///< Share of the expected things.
-constexpr double kBesideM = 0.6;        ///< No wall is between lenses that are no farther apart.
-constexpr double kBesideShare = 0.5;    ///< Of what most photos beside each other show.
+/// Lenses that stand so near to each other, as a share of how far they usually see, are hardly in two rooms.
+constexpr double kOneRoomShare = 0.8;
+constexpr double kBesideShare = 0.5; ///< Of what most photos beside each other show.
 
-bool isBeside(const PhotoAgreement& pair) {
-    return pair.apartM < kBesideM && pair.expected >= kClearlyExpected;
+bool isBeside(const PhotoAgreement& pair, double besideM) {
+    return pair.apartM < besideM && pair.expected >= kClearlyExpected;
 }
 
-/// What photos beside each other usually show of each other; 0 if no photos are. Where photos are dense,
+/// Whether hardly anything is there that either photo lets expect, and no wall explains it.
+bool isUnlike(const PhotoAgreement& pair) {
+    return pair.apartM < kOneRoomShare * pair.rangeM && pair.expected >= kClearlyExpected &&
+           pair.seen < kContradicted * pair.expected;
+}
+
+constexpr std::size_t kLeastBeside = 5; ///< Fewer pairs do not tell what is usual.
+
+/// What photos beside each other usually show of each other; 0 if few photos are. Where photos are dense,
 /// neighbours stand as near as these, and it is about 1; else it is more.
-double usualShareBeside(std::span<const PhotoAgreement> agreements) {
+double usualShareBeside(std::span<const PhotoAgreement> agreements, double besideM) {
     std::vector<double> shares;
     for (const PhotoAgreement& pair : agreements) {
-        if (isBeside(pair)) {
+        if (isBeside(pair, besideM)) {
             shares.push_back(pair.betterShare);
         }
     }
-    return shares.empty() ? 0 : median(std::move(shares));
+    return shares.size() < kLeastBeside ? 0 : median(std::move(shares));
 }
 
-std::vector<PhotoAgreement> contradictionsIn(std::span<const PhotoAgreement> agreements) {
-    const double usualBeside = usualShareBeside(agreements);
+std::vector<PhotoAgreement> contradictionsIn(std::span<const PhotoAgreement> agreements, double besideM) {
+    const double usualBeside = usualShareBeside(agreements, besideM);
     std::vector<PhotoAgreement> contradictions;
     std::ranges::copy_if(agreements, std::back_inserter(contradictions), [&](const PhotoAgreement& pair) {
-        const bool isUnlike = isBeside(pair) && pair.betterShare < kBesideShare * usualBeside;
-        return isUnlike || (pair.expected >= kClearlyExpected && pair.seen < kContradicted * pair.expected);
+        return isUnlike(pair) || (isBeside(pair, besideM) && pair.betterShare < kBesideShare * usualBeside);
     });
     return contradictions;
 }
@@ -57,12 +65,13 @@ double betterShare(const ExpectedThings& inA, const ExpectedThings& inB) {
 }
 
 /// Joins the pairs that agree most first, and never two photos that contradict each other.
-DisjointSets joined(std::size_t photos, std::span<const PhotoAgreement> agreements, double leastShare) {
+DisjointSets joined(std::size_t photos, std::span<const PhotoAgreement> agreements, double leastShare,
+                    double besideM) {
     const auto share = [leastShare](const PhotoAgreement& pair) {
         return pair.expected < kLeastExpected ? leastShare : pair.seen / pair.expected;
     };
     std::vector<PhotoAgreement> sorted(agreements.begin(), agreements.end());
-    const std::vector<PhotoAgreement> contradictions = contradictionsIn(agreements);
+    const std::vector<PhotoAgreement> contradictions = contradictionsIn(agreements, besideM);
     std::ranges::stable_sort(sorted, std::greater<>(), share);
     DisjointSets sets(photos);
     for (const PhotoAgreement& pair : sorted) {
@@ -87,20 +96,21 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
     std::vector<PhotoAgreement> all;
     for (const PhotoPair& pair : pairs) {
         if (pair.a != pair.b && sightings.isPlaced(pair.a) && sightings.isPlaced(pair.b)) {
-            const ExpectedThings inA = sightings.expected(pair.a, pair.b);
-            const ExpectedThings inB = sightings.expected(pair.b, pair.a);
+            const ExpectedThings inA = sightings.expected(pair.a, pair.b, pair.look);
+            const ExpectedThings inB = sightings.expected(pair.b, pair.a, pair.look);
             const Eigen::Vector3d apart = roomFromPhoto[static_cast<std::size_t>(pair.a)]->translation -
                                           roomFromPhoto[static_cast<std::size_t>(pair.b)]->translation;
             all.push_back({pair.a, pair.b, inA.expected + inB.expected, inA.seen + inB.seen, apart.norm(),
-                           betterShare(inA, inB)});
+                           betterShare(inA, inB),
+                           std::max(sightings.usualRangeM(pair.a), sightings.usualRangeM(pair.b))});
         }
     }
     return all;
 }
 
 std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<const PhotoAgreement> agreements,
-                               double leastShare) {
-    DisjointSets sets = joined(isPlaced.size(), agreements, leastShare);
+                               double leastShare, double besideM) {
+    DisjointSets sets = joined(isPlaced.size(), agreements, leastShare, besideM);
     std::map<int, std::vector<int>> parts;
     for (int photo = 0; photo < static_cast<int>(isPlaced.size()); ++photo) {
         if (isPlaced[static_cast<std::size_t>(photo)]) {

@@ -100,11 +100,11 @@ Sightings::Sightings(std::span<const std::optional<Rigid3>> roomFromPhoto, std::
             !m_roomFromPhoto[static_cast<std::size_t>(pair.b)]) {
             continue;
         }
-        m_neighbours[static_cast<std::size_t>(pair.a)].push_back(pair.b);
-        m_neighbours[static_cast<std::size_t>(pair.b)].push_back(pair.a);
+        m_neighbours[static_cast<std::size_t>(pair.a)].push_back({pair.b, pair.look});
+        m_neighbours[static_cast<std::size_t>(pair.b)].push_back({pair.a, pair.look});
         for (std::size_t match = 0; match < pair.matches.size(); ++match) {
-            add(pair.a, pair.b, pair.matches[match], true, isInlier[i][match]);
-            add(pair.b, pair.a, pair.matches[match], false, isInlier[i][match]);
+            add(pair.a, {pair.b, pair.look}, pair.matches[match], true, isInlier[i][match]);
+            add(pair.b, {pair.a, pair.look}, pair.matches[match], false, isInlier[i][match]);
         }
     }
     for (std::vector<Sighting>& sightings : m_of) {
@@ -112,18 +112,19 @@ Sightings::Sightings(std::span<const std::optional<Rigid3>> roomFromPhoto, std::
     }
 }
 
-void Sightings::add(int photo, int other, const Correspondence& match, bool isFromA, bool isInlier) {
+void Sightings::add(int photo, Neighbour other, const Correspondence& match, bool isFromA, bool isInlier) {
     const int feature = isFromA ? match.featureA : match.featureB;
     if (feature < 0 || !match.inA.allFinite() || !match.inB.allFinite()) {
         return;
     }
     Sighting sighting{feature,
-                      other,
+                      other.photo,
+                      other.look,
                       isFromA ? match.featureB : match.featureA,
                       isFromA ? &match.inA : &match.inB,
                       isFromA ? &match.inB : &match.inA,
                       isInlier};
-    sighting.rangeM = isInlier ? rangeM(photo, other, *sighting.own, *sighting.others) : 0;
+    sighting.rangeM = isInlier ? rangeM(photo, other.photo, *sighting.own, *sighting.others) : 0;
     m_of[static_cast<std::size_t>(photo)].push_back(sighting);
 }
 
@@ -145,6 +146,16 @@ double Sightings::rangeM(int photo, int other, const Eigen::Vector3d& own,
     return std::min(alongOwn, alongOther) > kLeastRangeM ? alongOwn : 0;
 }
 
+double Sightings::usualRangeM(int photo) const {
+    std::vector<double> ranges;
+    for (const Sighting& sighting : m_of[static_cast<std::size_t>(photo)]) {
+        if (sighting.rangeM > 0) {
+            ranges.push_back(sighting.rangeM);
+        }
+    }
+    return ranges.empty() ? 0 : median(std::move(ranges));
+}
+
 Eigen::Vector3d Sightings::positionInPhoto(int photo, int other) const {
     return m_roomFromPhoto[static_cast<std::size_t>(photo)]->inverse() *
            m_roomFromPhoto[static_cast<std::size_t>(other)]->translation;
@@ -152,7 +163,7 @@ Eigen::Vector3d Sightings::positionInPhoto(int photo, int other) const {
 
 PhotoWitnesses Sightings::witnesses(int photo) const {
     PhotoWitnesses result;
-    for (const int neighbour : m_neighbours[static_cast<std::size_t>(photo)]) {
+    for (const Neighbour& neighbour : m_neighbours[static_cast<std::size_t>(photo)]) {
         const std::size_t first = result.witnesses.size();
         witness(photo, neighbour, result);
         setChances(std::span(result.witnesses).subspan(first));
@@ -162,8 +173,8 @@ PhotoWitnesses Sightings::witnesses(int photo) const {
     return result;
 }
 
-void Sightings::witness(int photo, int neighbour, PhotoWitnesses& result) const {
-    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(neighbour)];
+void Sightings::witness(int photo, Neighbour neighbour, PhotoWitnesses& result) const {
+    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(neighbour.photo)];
     for (auto from = all.begin(); from != all.end();) {
         const auto to = std::find_if(
             from, all.end(), [&](const Sighting& sighting) { return sighting.feature != from->feature; });
@@ -174,9 +185,9 @@ void Sightings::witness(int photo, int neighbour, PhotoWitnesses& result) const 
     }
 }
 
-ExpectedThings Sightings::expected(int photo, int neighbour) const {
+ExpectedThings Sightings::expected(int photo, int neighbour, int look) const {
     PhotoWitnesses found;
-    witness(photo, neighbour, found);
+    witness(photo, {neighbour, look}, found);
     ExpectedThings things;
     for (const Witness& witness : found.witnesses) {
         things.expected += witness.chance;
@@ -196,14 +207,14 @@ bool Sightings::standsThere(int photo, int feature) const {
 }
 
 /// The witness that one feature of the neighbour gives, by all photos that it was found in.
-std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
+std::optional<Witness> Sightings::witness(int photo, Neighbour neighbour, std::span<const Sighting> ofFeature,
                                           PhotoWitnesses& result) const {
     const Sighting* inPhoto = nullptr;
     std::vector<double> rangesM;
     for (const Sighting& sighting : ofFeature) {
         if (sighting.other == photo) {
             inPhoto = &sighting;
-        } else if (sighting.rangeM > 0) {
+        } else if (sighting.rangeM > 0 && sighting.look == neighbour.look) {
             rangesM.push_back(sighting.rangeM);
         }
     }
@@ -216,18 +227,21 @@ std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<co
     const auto confirming = static_cast<double>(rangesM.size());
     const Rigid3& roomFromPhoto = *m_roomFromPhoto[static_cast<std::size_t>(photo)];
     const Eigen::Vector3d pInRoom =
-        *m_roomFromPhoto[static_cast<std::size_t>(neighbour)] * (median(rangesM) * *ofFeature[0].own);
+        *m_roomFromPhoto[static_cast<std::size_t>(neighbour.photo)] * (median(rangesM) * *ofFeature[0].own);
     Witness witness;
     const Eigen::Vector3d pInPhoto = roomFromPhoto.inverse() * pInRoom;
     witness.rangeM = pInPhoto.norm();
     witness.expected = pInPhoto.normalized();
-    witness.aside = angleBetween(pInRoom - roomFromPhoto.translation,
-                                 pInRoom - m_roomFromPhoto[static_cast<std::size_t>(neighbour)]->translation);
+    witness.aside =
+        angleBetween(pInRoom - roomFromPhoto.translation,
+                     pInRoom - m_roomFromPhoto[static_cast<std::size_t>(neighbour.photo)]->translation);
     if (m_isSearched && !m_isSearched(witness.expected)) {
         return std::nullopt;
     }
     witness.chance =
-        confirming / static_cast<double>(m_neighbours[static_cast<std::size_t>(neighbour)].size());
+        confirming /
+        static_cast<double>(std::ranges::count(m_neighbours[static_cast<std::size_t>(neighbour.photo)],
+                                               neighbour.look, &Neighbour::look));
     witness.weight = 1 / (1 + confirming);
     if (inPhoto != nullptr) {
         witness.isSeen = (*inPhoto->others - witness.expected).norm() < kSeenChord;
@@ -237,9 +251,9 @@ std::optional<Witness> Sightings::witness(int photo, int neighbour, std::span<co
         }
     }
     if (!witness.isSeen) {
-        witness.viewers.push_back(neighbour);
+        witness.viewers.push_back(neighbour.photo);
         for (const Sighting& sighting : ofFeature) {
-            if (sighting.rangeM > 0 && sighting.other != photo) {
+            if (sighting.rangeM > 0 && sighting.other != photo && sighting.look == neighbour.look) {
                 witness.viewers.push_back(sighting.other);
             }
         }

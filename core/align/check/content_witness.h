@@ -54,10 +54,14 @@ class Sightings {
     /// The witnesses of all neighbours of a photo. Cost: grows with their matches. Threads: any.
     PhotoWitnesses witnesses(int photo) const;
 
-    /// What the neighbour shares with third photos, and how much of it this photo shows. Threads: any.
-    ExpectedThings expected(int photo, int neighbour) const;
+    /// What the neighbour shares with third photos, and how much of it this photo shows. look: that of the
+    /// pair of both. Threads: any.
+    ExpectedThings expected(int photo, int neighbour, int look) const;
 
     bool isPlaced(int photo) const { return m_roomFromPhoto[static_cast<std::size_t>(photo)].has_value(); }
+
+    /// Median distance of what the photo shares with others; 0 if they tell none.
+    double usualRangeM(int photo) const;
 
     /// Where another photo was taken, in the photo's frame. Range: both photos are solved.
     Eigen::Vector3d positionInPhoto(int photo, int other) const;
@@ -67,6 +71,7 @@ class Sightings {
     struct Sighting {
         int feature = 0;
         int other = 0; ///< Index of the other photo.
+        int look = 0;  ///< That of the pair.
         int featureOfOther = -1;
         const Eigen::Vector3d* own = nullptr;
         const Eigen::Vector3d* others = nullptr;
@@ -74,11 +79,18 @@ class Sightings {
         double rangeM = 0; ///< Along the own bearing; 0 if the two photos do not tell.
     };
 
-    void add(int photo, int other, const Correspondence& match, bool isFromA, bool isInlier);
+    /// Another photo of a pair.
+    struct Neighbour {
+        int photo = 0;
+        int look = 0; ///< That of the pair.
+    };
+
+    void add(int photo, Neighbour other, const Correspondence& match, bool isFromA, bool isInlier);
     double rangeM(int photo, int other, const Eigen::Vector3d& own, const Eigen::Vector3d& others) const;
-    /// Adds the neighbour's witnesses, with the share of its photos that show the thing as their chance.
-    void witness(int photo, int neighbour, PhotoWitnesses& result) const;
-    std::optional<Witness> witness(int photo, int neighbour, std::span<const Sighting> ofFeature,
+    /// Adds the neighbour's witnesses, with the share of its photos that show the thing as their chance. Only
+    /// the photos of one look are asked.
+    void witness(int photo, Neighbour neighbour, PhotoWitnesses& result) const;
+    std::optional<Witness> witness(int photo, Neighbour neighbour, std::span<const Sighting> ofFeature,
                                    PhotoWitnesses& result) const;
 
     /// Whether neighbours see the photo's feature where the photo shows it: then it did not come from
@@ -87,7 +99,7 @@ class Sightings {
 
     std::vector<std::optional<Rigid3>> m_roomFromPhoto;
     std::vector<std::vector<Sighting>> m_of;                  ///< One list a photo, sorted by feature.
-    std::vector<std::vector<int>> m_neighbours;               ///< One list a photo, solved photos alone.
+    std::vector<std::vector<Neighbour>> m_neighbours;         ///< One list a photo, solved photos alone.
     std::function<bool(const Eigen::Vector3d&)> m_isSearched; ///< In a photo's frame. Empty: all is searched.
 };
 

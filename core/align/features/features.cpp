@@ -15,6 +15,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -28,7 +29,9 @@ constexpr int kTile = 768;       ///< In pixels; bounds the memory and the time 
 constexpr float kLargestPx = 48; ///< Larger spots are too blurred to tell a direction.
 constexpr double kOwnPx = 2;     ///< Within this distance one of several orientations or scales is enough.
 constexpr double kLeastSigmaPx = 0.13; ///< In the camera's own pixels, from noise and compression; measured.
-constexpr double kMaskedAround = 1.5;  ///< In diameters of a spot: a mask's edge must not look like a thing.
+constexpr std::array<Squeeze, 4> kSqueezes{{{1.6, 1}, {2.5, 1}, {1, 1.6}, {1, 2.5}}};
+constexpr double kOneThingPx = 3;     ///< Features of several views within this distance show one thing.
+constexpr double kMaskedAround = 1.5; ///< In diameters of a spot: a mask's edge must not look like a thing.
 
 /// A piece of a view that is searched in one go, with a margin.
 struct Tile {
@@ -93,8 +96,32 @@ class FeatureFinder {
 
     Features find(const GreyImage& photo) const {
         throwIfStopped(m_stop);
-        const std::vector<SphereView> views =
-            sphereViews(photo, m_options.width, m_options.lowestElevation, m_options.usesZenith);
+        Features features =
+            found(sphereViews(photo, m_options.width, m_options.lowestElevation, m_options.usesZenith));
+        if (m_options.isWide) {
+            for (const Squeeze& squeeze : kSqueezes) {
+                throwIfStopped(m_stop);
+                append(found({SphereView::band(photo, m_options.width, m_options.lowestElevation, squeeze)}),
+                       features);
+            }
+            features.firstOf =
+                firstNear(features.bearings, kOneThingPx * 2 * std::numbers::pi / m_options.width);
+        }
+        return features;
+    }
+
+  private:
+    static void append(const Features& more, Features& features) {
+        const auto add = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+        add(more.bearings, features.bearings);
+        add(more.sigmasRad, features.sigmasRad);
+        add(more.responses, features.responses);
+        add(more.descriptors, features.descriptors);
+        features.descriptorBytes = std::max(features.descriptorBytes, more.descriptorBytes);
+    }
+
+    /// The best features of these views.
+    Features found(const std::vector<SphereView>& views) const {
         std::vector<Tile> tiles;
         for (const SphereView& view : views) {
             for (const auto& [top, bottom] :
@@ -109,7 +136,6 @@ class FeatureFinder {
         return described(tiles);
     }
 
-  private:
     /// Searches the tile that owns [left, right) x [top, bottom) of the view.
     Tile searched(const SphereView& view, int left, int right, int top, int bottom) const {
         constexpr int kMargin = SphereView::kMargin;

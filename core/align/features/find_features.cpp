@@ -26,7 +26,7 @@ static_assert(std::endian::native == std::endian::little, "the file is little en
 
 namespace {
 
-constexpr std::string_view kMagic = "SWFEAT02";
+constexpr std::string_view kMagic = "SWFEAT03";
 constexpr std::size_t kDigestBytes = 64;
 constexpr std::uint32_t kMostCount = 50000;
 constexpr std::uint32_t kMostDescriptorBytes = 128;
@@ -50,6 +50,11 @@ bool isUsable(const Features& features) {
     const auto isUnit = [](const Eigen::Vector3f& b) { return std::abs(b.norm() - 1) < 1e-4F; };
     const auto isSigma = [](float sigma) { return sigma > 0 && sigma < 1; };
     const auto isFinite = [](float response) { return std::isfinite(response); };
+    for (std::size_t i = 0; i < features.firstOf.size(); ++i) {
+        if (features.firstOf[i] < 0 || static_cast<std::size_t>(features.firstOf[i]) > i) {
+            return false;
+        }
+    }
     const bool isUpright = !features.vertical || (std::abs(features.vertical->upInPhoto.norm() - 1) < 1e-9 &&
                                                   isSigma(static_cast<float>(features.vertical->sigmaRad)));
     return isUpright && std::all_of(features.bearings.begin(), features.bearings.end(), isUnit) &&
@@ -62,7 +67,8 @@ Bytes toBytes(const Features& features, std::string_view key) {
     const auto count = static_cast<std::uint32_t>(features.count());
     const std::uint32_t header[] = {static_cast<std::uint32_t>(key.size()),
                                     static_cast<std::uint32_t>(features.detector), count,
-                                    static_cast<std::uint32_t>(features.descriptorBytes)};
+                                    static_cast<std::uint32_t>(features.descriptorBytes),
+                                    static_cast<std::uint32_t>(features.firstOf.size())};
     Bytes bytes;
     append(kMagic.data(), kMagic.size(), bytes);
     append(header, std::size(header), bytes);
@@ -73,6 +79,7 @@ Bytes toBytes(const Features& features, std::string_view key) {
     append(features.sigmasRad.data(), count, bytes);
     append(features.responses.data(), count, bytes);
     append(features.descriptors.data(), features.descriptors.size(), bytes);
+    append(features.firstOf.data(), features.firstOf.size(), bytes);
     const Vertical vertical = features.vertical.value_or(Vertical{});
     append(vertical.upInPhoto.data(), 3, bytes);
     append(&vertical.sigmaRad, 1, bytes); // 0 if there is none.
@@ -83,7 +90,7 @@ Bytes toBytes(const Features& features, std::string_view key) {
 
 /// Empty for bytes that toBytes() did not make for this key, or that hold values no features can have.
 std::optional<Features> fromBytes(ByteView bytes, std::string_view key) {
-    std::uint32_t header[4] = {};
+    std::uint32_t header[5] = {};
     const std::size_t front = kMagic.size() + sizeof(header) + key.size();
     if (bytes.size() < front + kDigestBytes) {
         return std::nullopt;
@@ -95,11 +102,11 @@ std::optional<Features> fromBytes(ByteView bytes, std::string_view key) {
     }
     ByteView rest = content.subspan(kMagic.size());
     take(rest, std::size(header), header);
-    const auto [keyBytes, detector, count, descriptorBytes] = std::to_array(header);
-    const std::size_t each = 5 * sizeof(float) + descriptorBytes;
+    const auto [keyBytes, detector, count, descriptorBytes, firsts] = std::to_array(header);
+    const std::size_t each = 5 * sizeof(float) + descriptorBytes + (firsts > 0 ? sizeof(int) : 0);
     if (keyBytes != key.size() || textOf(rest.first(key.size())) != key || detector > 2 ||
         count > kMostCount || descriptorBytes > kMostDescriptorBytes || descriptorBytes % 32 != 0 ||
-        (count > 0 && descriptorBytes == 0) ||
+        (count > 0 && descriptorBytes == 0) || (firsts > 0 && firsts != count) ||
         rest.size() - key.size() != count * each + 4 * sizeof(double)) {
         return std::nullopt;
     }
@@ -111,12 +118,14 @@ std::optional<Features> fromBytes(ByteView bytes, std::string_view key) {
     features.sigmasRad.resize(count);
     features.responses.resize(count);
     features.descriptors.resize(static_cast<std::size_t>(count) * descriptorBytes);
+    features.firstOf.resize(firsts);
     for (Eigen::Vector3f& bearing : features.bearings) {
         take(rest, 3, bearing.data());
     }
     take(rest, count, features.sigmasRad.data());
     take(rest, count, features.responses.data());
     take(rest, features.descriptors.size(), features.descriptors.data());
+    take(rest, features.firstOf.size(), features.firstOf.data());
     Vertical vertical;
     take(rest, 3, vertical.upInPhoto.data());
     take(rest, 1, &vertical.sigmaRad);
@@ -137,8 +146,9 @@ std::string settingsText(const FeatureOptions& options, const MaskImage& mask) {
     return text("method ", kMethod, " detector ", std::string(name(options.detector)), " width ",
                 options.width, " most ", options.most, " contrast ", options.leastContrast, " lowest ",
                 options.lowestElevation.value(), " zenith ", static_cast<int>(options.usesZenith),
-                " upright ", static_cast<int>(options.isUpright), " mask ", mask.width(), " x ",
-                mask.height(), " ", mask.empty() ? std::string("none") : sha256Hex(mask.values()));
+                " upright ", static_cast<int>(options.isUpright), " wide ", static_cast<int>(options.isWide),
+                " mask ", mask.width(), " x ", mask.height(), " ",
+                mask.empty() ? std::string("none") : sha256Hex(mask.values()));
 }
 
 } // namespace
@@ -167,8 +177,8 @@ std::optional<Features> FeatureCache::find(const std::string& photoSha256) const
         throw;
     }
     auto features = fromBytes(bytes, keyOf(photoSha256));
-    const bool isOurs =
-        features && features->detector == m_options.detector && features->count() <= m_options.most;
+    const int most = m_options.isWide ? 5 * m_options.most : m_options.most; // Five views.
+    const bool isOurs = features && features->detector == m_options.detector && features->count() <= most;
     return isOurs ? std::move(features) : std::nullopt;
 }
 

@@ -170,26 +170,31 @@ int regionOf(const Eigen::Vector3d& bearing) {
     return band * 2 * kElevationBands + std::clamp(static_cast<int>(turn * pieces), 0, pieces - 1);
 }
 
-/// The spots kept so far, found again by their place on the sphere.
+/// The bearings kept so far, found again by their place on the sphere.
 class Neighbourhood {
   public:
     explicit Neighbourhood(double reachRad) : m_perUnit(1 / std::max(reachRad, 1e-5)) {}
 
-    bool hasNear(const Eigen::Vector3d& bearing, double reachRad) const {
+    /// The least number of those within reach; -1 if there are none.
+    int firstNear(const Eigen::Vector3d& bearing, double reachRad) const {
         const Eigen::Vector3i middle = cell(bearing);
+        int first = -1;
         for (int i = 0; i < 27; ++i) {
             const Eigen::Vector3i offset(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-            const auto [first, last] = m_bearings.equal_range(key(middle + offset));
-            if (std::any_of(first, last, [&](const auto& entry) {
-                    return (entry.second - bearing).squaredNorm() < reachRad * reachRad;
-                })) {
-                return true;
+            const auto [begin, end] = m_kept.equal_range(key(middle + offset));
+            for (auto kept = begin; kept != end; ++kept) {
+                const auto& [number, place] = kept->second;
+                if ((place - bearing).squaredNorm() < reachRad * reachRad) {
+                    first = first < 0 ? number : std::min(first, number);
+                }
             }
         }
-        return false;
+        return first;
     }
 
-    void add(const Eigen::Vector3d& bearing) { m_bearings.emplace(key(cell(bearing)), bearing); }
+    void add(int number, const Eigen::Vector3d& bearing) {
+        m_kept.emplace(key(cell(bearing)), std::pair(number, bearing));
+    }
 
   private:
     Eigen::Vector3i cell(const Eigen::Vector3d& bearing) const {
@@ -201,7 +206,7 @@ class Neighbourhood {
     }
 
     double m_perUnit;
-    std::unordered_multimap<std::int64_t, Eigen::Vector3d> m_bearings;
+    std::unordered_multimap<std::int64_t, std::pair<int, Eigen::Vector3d>> m_kept;
 };
 
 } // namespace
@@ -220,8 +225,8 @@ std::vector<int> evenSelection(const std::vector<Spot>& spots, int most) {
     std::map<int, int> roundOf;               // The next round of each region.
     std::map<int, std::vector<int>> byRounds; // Members of each round, the strongest first.
     for (const int i : byStrength) {
-        if (!kept.hasNear(spot(i).bearing, spot(i).ownRad)) {
-            kept.add(spot(i).bearing);
+        if (kept.firstNear(spot(i).bearing, spot(i).ownRad) < 0) {
+            kept.add(i, spot(i).bearing);
             byRounds[roundOf[regionOf(spot(i).bearing)]++].push_back(i);
         }
     }
@@ -231,6 +236,21 @@ std::vector<int> evenSelection(const std::vector<Spot>& spots, int most) {
     }
     selected.resize(std::min(selected.size(), static_cast<std::size_t>(most)));
     return selected;
+}
+
+std::vector<int> firstNear(const std::vector<Eigen::Vector3f>& bearings, double reachRad) {
+    Neighbourhood firsts(reachRad);
+    std::vector<int> found;
+    for (const Eigen::Vector3f& each : bearings) {
+        const auto index = static_cast<int>(found.size());
+        const Eigen::Vector3d bearing = each.cast<double>();
+        const int first = firsts.firstNear(bearing, reachRad);
+        if (first < 0) {
+            firsts.add(index, bearing);
+        }
+        found.push_back(first < 0 ? index : first);
+    }
+    return found;
 }
 
 } // namespace spherewalk::align

@@ -68,4 +68,8 @@ struct Spot {
 /// degrees wide), then the second of each, and so on. Within a round the strongest spot comes first.
 std::vector<int> evenSelection(const std::vector<Spot>& spots, int most);
 
+/// For each bearing the index of the first one within reach that stands for no other; its own if there is
+/// none.
+std::vector<int> firstNear(const std::vector<Eigen::Vector3f>& bearings, double reachRad);
+
 } // namespace spherewalk::align

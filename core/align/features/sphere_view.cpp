@@ -163,9 +163,10 @@ double SphereView::pixelsPerRad() const {
     return m_width / (2 * kPi);
 }
 
-SphereView SphereView::band(const GreyImage& photo, int width, Radians lowest) {
-    SphereView view(Part::Band, width);
-    const double perRad = view.pixelsPerRad();
+SphereView SphereView::band(const GreyImage& photo, int width, Radians lowest, Squeeze squeeze) {
+    const int around = static_cast<int>(std::lround(width / squeeze.across));
+    SphereView view(Part::Band, around, squeeze.upright * around / width);
+    const double perRad = view.m_perRadDown;
     const double bottom = mercator(std::max(lowest, -edge()).value()) - kMargin / perRad;
     view.m_top = mercator(edge().value()) + kMargin / perRad;
     const int height = static_cast<int>(std::ceil((view.m_top - bottom) * perRad));
@@ -174,7 +175,7 @@ SphereView SphereView::band(const GreyImage& photo, int width, Radians lowest) {
         const double elevation = elevationOf(view.m_top - (y + 0.5) / perRad);
         rows.push_back(rowAt(photo, elevation, std::cos(elevation) / perRad));
     }
-    view.m_picture = resampled(photo, columnsOf(photo, width, -kMargin, width + 2 * kMargin), rows);
+    view.m_picture = resampled(photo, columnsOf(photo, around, -kMargin, around + 2 * kMargin), rows);
     return view;
 }
 
@@ -214,7 +215,7 @@ Eigen::Vector2d SphereView::onPlane(double x, double y) const {
 Eigen::Vector3d SphereView::bearing(double x, double y) const {
     if (m_part == Part::Band) {
         return direction({Radians(kPi - (x - kMargin + 0.5) / pixelsPerRad()),
-                          Radians(elevationOf(m_top - (y + 0.5) / pixelsPerRad()))});
+                          Radians(elevationOf(m_top - (y + 0.5) / m_perRadDown))});
     }
     // The view is from inside, with the horizon at azimuth 0 below the zenith and above the nadir.
     const double sign = m_part == Part::Zenith ? 1 : -1;
@@ -224,9 +225,9 @@ Eigen::Vector3d SphereView::bearing(double x, double y) const {
 }
 
 double SphereView::pixelRad(double x, double y) const {
-    const double shrinks = m_part == Part::Band ? std::cosh(m_top - (y + 0.5) / pixelsPerRad())
+    const double shrinks = m_part == Part::Band ? std::cosh(m_top - (y + 0.5) / m_perRadDown)
                                                 : 1 + onPlane(x, y).squaredNorm() / 4;
-    return 1 / (pixelsPerRad() * shrinks);
+    return 1 / (std::min(pixelsPerRad(), m_perRadDown) * shrinks);
 }
 
 Radians SphereView::up(double x, double y) const {

@@ -137,7 +137,8 @@ void tellSteps(const std::vector<Room>& rooms, double lensHeightM, FreePlaces& p
 
 } // namespace
 
-PlaceAgreement::PlaceAgreement(const FreePlaces& places, std::span<const PhotoPair> pairs) {
+PlaceAgreement::PlaceAgreement(const FreePlaces& places, std::span<const PhotoPair> pairs)
+    : m_isInMetres(places.scaleBy != ScaleBy::Nothing) {
     std::vector<std::optional<Rigid3>> poses;
     for (const FreePlace& place : places.photos) {
         poses.push_back(place.roomFromPhoto);
@@ -147,7 +148,8 @@ PlaceAgreement::PlaceAgreement(const FreePlaces& places, std::span<const PhotoPa
 }
 
 std::vector<int> PlaceAgreement::parts(double leastShare) const {
-    return agreeingParts(m_isPlaced, m_agreements, leastShare);
+    constexpr double kBesideM = 0.6;
+    return agreeingParts(m_isPlaced, m_agreements, leastShare, m_isInMetres ? kBesideM : 0);
 }
 
 void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement, double lensHeightM) {

@@ -145,6 +145,7 @@ class PlaceAgreement {
   private:
     std::vector<bool> m_isPlaced;
     std::vector<PhotoAgreement> m_agreements;
+    bool m_isInMetres = true;
 };
 
 /// Says it of photos that hang together with the largest part too loosely: little of what either side lets

@@ -108,7 +108,6 @@ namespace {
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 
-constexpr double kGateRad = 0.6; // The floor 1.2 m below moves so, seen from 0.8 m farther.
 constexpr double kInlierSigmas = 3.5;
 constexpr double kLargestFitScale = 4; // Larger residuals are no noise.
 constexpr std::size_t kTried = 240;    // Number of bearings that directions are tried with.
@@ -128,8 +127,8 @@ EpipolarResidual residualOf(const Bearings& bearings, int at, const Geometry& ge
                             bearings.sigmaRad[i]);
 }
 
-bool isUsable(const EpipolarResidual& residual) {
-    return std::min(residual.sineA, residual.sineB) > kLeastSine;
+bool isUsable(const Bearings& bearings, const EpipolarResidual& residual) {
+    return std::min(residual.sineA, residual.sineB) > bearings.leastSine;
 }
 
 struct EpipolarNormal {
@@ -145,7 +144,7 @@ EpipolarNormal normalEquations(const Bearings& bearings, std::span<const int> us
     const Eigen::Matrix<double, 3, 2> tangent = tangentBasis(geometry.baseline);
     for (const int at : used) {
         const EpipolarResidual residual = residualOf(bearings, at, geometry);
-        if (!isUsable(residual)) {
+        if (!isUsable(bearings, residual)) {
             normal.cost += 0.5; // It speaks neither for nor against.
             continue;
         }
@@ -187,7 +186,7 @@ std::vector<int> gated(const Bearings& bearings, const Eigen::Matrix3d& start) {
     std::vector<int> inside;
     for (const int at : FixedRandom(0x5EED0002).permutation(bearings.count())) {
         const auto i = static_cast<std::size_t>(at);
-        if (bearings.inA[i].dot(start * bearings.inB[i]) > std::cos(kGateRad)) {
+        if (bearings.inA[i].dot(start * bearings.inB[i]) > std::cos(bearings.reach.value())) {
             inside.push_back(at);
         }
     }
@@ -231,7 +230,7 @@ double scaleOf(const Bearings& bearings, std::span<const int> used, const Geomet
     std::vector<double> residuals;
     for (const int at : used) {
         const EpipolarResidual residual = residualOf(bearings, at, geometry);
-        if (isUsable(residual)) {
+        if (isUsable(bearings, residual)) {
             residuals.push_back(residual.value);
         }
     }
@@ -243,7 +242,7 @@ std::vector<int> agreeWithPlanes(const Bearings& bearings, std::span<const int> 
     std::vector<int> agree;
     for (const int at : inside) {
         const EpipolarResidual residual = residualOf(bearings, at, geometry);
-        if (isUsable(residual) && std::abs(residual.value) < kInlierSigmas * scale) {
+        if (isUsable(bearings, residual) && std::abs(residual.value) < kInlierSigmas * scale) {
             agree.push_back(at);
         }
     }

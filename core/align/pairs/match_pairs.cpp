@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/align/match_pairs.h"
 
+#include "features/keypoints.h"
 #include "features/option_check.h"
 #include "pairs/nearest.h"
 
@@ -49,7 +50,7 @@ std::vector<Correspondence> matchFeatures(const Features& a, const Features& b, 
             std::hypot(static_cast<double>(a.sigmasRad[inA]), static_cast<double>(b.sigmasRad[inB])) /
             std::sqrt(2.0);
         matches.push_back({a.bearings[inA].cast<double>().normalized(),
-                           b.bearings[inB].cast<double>().normalized(), sigmaRad, i, j});
+                           b.bearings[inB].cast<double>().normalized(), sigmaRad, a.thing(i), b.thing(j)});
     }
     return matches;
 }
@@ -78,6 +79,52 @@ std::vector<PhotoPair> matchPairs(std::span<const Features> photos,
         progress.progress(static_cast<double>(++done) / static_cast<double>(pairs.size()), "Matching photos");
     });
     return matched;
+}
+
+namespace {
+
+/// The numbers of the features of another look at a photo; known ones keep theirs.
+std::vector<int> numbered(const Features& features, std::vector<Eigen::Vector3f>& known) {
+    constexpr double kReachRad = 0.009; // What features of other sizes at one thing are apart.
+    std::vector<Eigen::Vector3f> all = known;
+    all.insert(all.end(), features.bearings.begin(), features.bearings.end());
+    const std::vector<int> first = firstNear(all, kReachRad);
+    std::vector<int> numbers;
+    for (int i = 0; i < features.count(); ++i) {
+        const auto thing = static_cast<std::size_t>(features.thing(i));
+        if (thing < numbers.size()) {
+            numbers.push_back(numbers[thing]);
+            continue;
+        }
+        const auto near = static_cast<std::size_t>(first[all.size() - features.bearings.size() + thing]);
+        const bool isKnown = near + features.bearings.size() < all.size();
+        numbers.push_back(isKnown ? static_cast<int>(near) : static_cast<int>(known.size()));
+        if (!isKnown) {
+            known.push_back(features.bearings[thing]);
+        }
+    }
+    return numbers;
+}
+
+} // namespace
+
+void renumber(std::span<const Features> looked, std::span<const int> photos, int look,
+              std::vector<std::vector<Eigen::Vector3f>>& known, std::span<PhotoPair> pairs) {
+    std::vector<std::vector<int>> numbers;
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        numbers.push_back(numbered(looked[i], known[static_cast<std::size_t>(photos[i])]));
+    }
+    for (PhotoPair& pair : pairs) {
+        const auto a = static_cast<std::size_t>(pair.a);
+        const auto b = static_cast<std::size_t>(pair.b);
+        for (Correspondence& match : pair.matches) {
+            match.featureA = numbers[a][static_cast<std::size_t>(match.featureA)];
+            match.featureB = numbers[b][static_cast<std::size_t>(match.featureB)];
+        }
+        pair.a = photos[a];
+        pair.b = photos[b];
+        pair.look = look;
+    }
 }
 
 namespace {
@@ -121,6 +168,16 @@ EffortOptions optionsFor(Effort effort) {
         options.neighbours.farDirections = 8;
         break;
     }
+    return options;
+}
+
+EffortOptions wideOptions() {
+    EffortOptions options = optionsFor(Effort::Fine);
+    options.features.isWide = true;
+    options.features.most = 2000;
+    options.match.isGuided = false; // Near things move far between photos metres apart.
+    options.pair.reach = Radians(1);
+    options.pair.leastSine = 0.03;
     return options;
 }
 

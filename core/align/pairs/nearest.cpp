@@ -37,23 +37,27 @@ int differingBits(const std::uint8_t* a, const std::uint8_t* b, int bytes) {
     return count;
 }
 
-/// The nearest seen so far of one feature.
+/// The nearest thing seen so far of one thing, each by those of its features that are most alike.
 struct Nearest {
     int best = std::numeric_limits<int>::max();
-    int second = std::numeric_limits<int>::max();
-    int index = -1;
+    int second = std::numeric_limits<int>::max(); ///< That of another thing.
+    int thing = -1;
+    int own = -1;   ///< The feature of this thing.
+    int other = -1; ///< That of the nearest.
 
-    void see(int distance, int candidate) {
+    void see(int distance, int itsThing, int ofThis, int ofOther) {
         if (distance < best) {
-            second = best;
+            second = itsThing == thing ? second : best;
             best = distance;
-            index = candidate;
-        } else if (distance < second) {
+            thing = itsThing;
+            own = ofThis;
+            other = ofOther;
+        } else if (distance < second && itsThing != thing) {
             second = distance;
         }
     }
 
-    bool isClear(double ratio) const { return index >= 0 && best < ratio * second; }
+    bool isClear(double ratio) const { return thing >= 0 && best < ratio * second; }
 };
 
 /// b's features sorted by height in a's frame, so that the features near a bearing lie in one run.
@@ -120,8 +124,8 @@ std::vector<std::pair<int, int>> search(const Features& a, const Features& b, co
     std::vector<Nearest> ofB(static_cast<std::size_t>(countB));
     const auto compare = [&](int i, int j) {
         const int apart = distance(a.descriptor(i), b.descriptor(j));
-        ofA[static_cast<std::size_t>(i)].see(apart, j);
-        ofB[static_cast<std::size_t>(j)].see(apart, i);
+        ofA[static_cast<std::size_t>(a.thing(i))].see(apart, b.thing(j), i, j);
+        ofB[static_cast<std::size_t>(b.thing(j))].see(apart, a.thing(i), j, i);
     };
     if (how.aFromB) {
         ByHeight byHeight(b, countB, *how.aFromB);
@@ -140,9 +144,9 @@ std::vector<std::pair<int, int>> search(const Features& a, const Features& b, co
     for (int i = 0; i < countA; ++i) {
         const Nearest& nearest = ofA[static_cast<std::size_t>(i)];
         if (nearest.isClear(ratioOfDistances)) {
-            const Nearest& back = ofB[static_cast<std::size_t>(nearest.index)];
-            if (back.index == i && back.isClear(ratioOfDistances)) {
-                pairs.emplace_back(i, nearest.index);
+            const Nearest& back = ofB[static_cast<std::size_t>(nearest.thing)];
+            if (back.thing == i && back.isClear(ratioOfDistances)) {
+                pairs.emplace_back(nearest.own, nearest.other);
             }
         }
     }

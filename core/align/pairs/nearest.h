@@ -19,8 +19,8 @@ struct Search {
     double reachRad = 0;
 };
 
-/// Pairs (feature of a, feature of b) that are each other's nearest, and nearer than both second nearest by
-/// the ratio; in the order of a.
+/// Pairs (feature of a, feature of b) of things that are each other's nearest, and nearer than both second
+/// nearest things by the ratio; in the order of a's things.
 std::vector<std::pair<int, int>> mutualNearest(const Features& a, const Features& b, const Search& search);
 
 } // namespace spherewalk::align

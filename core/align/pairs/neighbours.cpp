@@ -181,4 +181,25 @@ std::vector<std::pair<int, int>> neighbours(std::span<const Eigen::Vector3d> pos
     return {pairs.begin(), pairs.end()};
 }
 
+std::vector<std::pair<int, int>> loosePairs(int photos, std::span<const PairEstimate> estimates,
+                                            int strongInliers) {
+    constexpr int kEnoughStrong = 3;
+    std::vector<int> strongOf(static_cast<std::size_t>(photos), 0);
+    const auto isLoose = [&](int photo) { return strongOf[static_cast<std::size_t>(photo)] < kEnoughStrong; };
+    for (const PairEstimate& estimate : estimates) {
+        const bool isStrong =
+            estimate.verdict == PairVerdict::Constraint && estimate.inliers >= strongInliers;
+        for (const int photo : {estimate.a, estimate.b}) {
+            strongOf[static_cast<std::size_t>(photo)] += isStrong ? 1 : 0;
+        }
+    }
+    PairSet pairs;
+    for (const PairEstimate& estimate : estimates) {
+        if (isLoose(estimate.a) || isLoose(estimate.b)) {
+            add(estimate.a, estimate.b, pairs);
+        }
+    }
+    return {pairs.begin(), pairs.end()};
+}
+
 } // namespace spherewalk::align

@@ -30,8 +30,10 @@ constexpr double kRival = 0.7; // With this share of the best one's inliers a ri
 // Probability that a chance match within the gate lies in one plane with a given baseline.
 constexpr double kChance = 0.04;
 
-Bearings usable(const PhotoPair& pair) {
+Bearings usable(const PhotoPair& pair, const PairOptions& options) {
     Bearings bearings;
+    bearings.reach = options.reach;
+    bearings.leastSine = options.leastSine;
     for (std::size_t i = 0; i < pair.matches.size(); ++i) {
         if (const std::optional<UnitMatch> match = unitMatch(pair.matches[i])) {
             bearings.inA.push_back(match->inA);
@@ -157,7 +159,7 @@ PairEstimate estimatePair(const PhotoPair& pair, const PairOptions& options) {
     estimate.a = pair.a;
     estimate.b = pair.b;
     estimate.isInlier.assign(pair.matches.size(), false);
-    const Bearings bearings = usable(pair);
+    const Bearings bearings = usable(pair, options);
     if (bearings.count() < std::max(options.leastInliers, 6)) {
         return estimate;
     }

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/align/photo_pair.h"
+
 #include <Eigen/Geometry>
 
 #include <vector>
 
 namespace spherewalk::align {
 
-/// The usable matches of a pair, side by side. Shape: all vectors have the same length.
+/// The usable matches of a pair, side by side, and which of them are asked. Shape: all vectors have the same
+/// length.
 struct Bearings {
     std::vector<Eigen::Vector3d> inA;
     std::vector<Eigen::Vector3d> inB;
     std::vector<double> sigmaRad;
     std::vector<int> match; ///< Index among the pair's matches.
+    Radians reach = PairOptions().reach;
+    double leastSine = PairOptions().leastSine;
 
     int count() const { return static_cast<int>(inA.size()); }
 };

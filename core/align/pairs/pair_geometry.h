@@ -58,8 +58,8 @@ struct EpipolarResidual {
     Eigen::Vector3d byBaseline = Eigen::Vector3d::Zero(); ///< Derivative by the baseline, its length free.
 };
 
-/// The least sine of the angle between a bearing and the baseline. A bearing with a lesser one says nothing,
-/// since its plane turns with the least error.
+/// The least sine of the angle between a bearing and the baseline with which the bearing tells a plane. That
+/// of a lesser one turns with the least error.
 constexpr double kLeastSine = 0.12;
 
 inline EpipolarResidual epipolarResidual(const Eigen::Vector3d& inA, const Eigen::Vector3d& inB,

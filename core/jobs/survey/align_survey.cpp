@@ -18,6 +18,7 @@
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace spherewalk::jobs {
@@ -165,12 +166,13 @@ class AlignRun {
                                             : align::neighbours(positions, m_effort.neighbours),
                                     m_effort.match, m_options.threads, step, m_stop);
         align::joinTags(m_aprilTags, m_pairs);
-        for (const align::Features& features : m_features.photos) {
-            m_featureCounts.push_back(features.count());
+        for (align::Features& features : m_features.photos) {
+            m_bearings.push_back(std::move(features.bearings));
         }
         m_features.photos.clear();
         m_progress.progress(0.76, "Estimating how neighbours are turned to each other");
-        m_estimates = estimates(m_pairs);
+        m_estimates = estimates(m_pairs, m_effort.pair);
+        lookWide();
         joinParts(positions);
         m_report.pairs = m_pairs.size();
         m_report.holdingPairs = static_cast<std::size_t>(
@@ -178,8 +180,8 @@ class AlignRun {
         m_report.matchSeconds = secondsSince(begin);
     }
 
-    std::vector<align::PairEstimate> estimates(const std::vector<align::PhotoPair>& pairs) const {
-        align::PairOptions options;
+    std::vector<align::PairEstimate> estimates(const std::vector<align::PhotoPair>& pairs,
+                                               align::PairOptions options) const {
         options.threads = m_options.threads;
         for (const align::PhotoPrior& prior : m_priors) {
             options.levelFromPhoto.push_back(align::levelFromPhoto(prior));
@@ -187,6 +189,18 @@ class AlignRun {
         std::vector<align::PairEstimate> made = align::estimatePairs(pairs, options);
         throwIfStopped(m_stop);
         return made;
+    }
+
+    /// Looks again at photos that share little with others, as real ones do that stand metres apart.
+    void lookWide() {
+        constexpr int kStrongShare = 40; // One in so many features.
+        const auto loose = align::loosePairs(static_cast<int>(m_photos.size()), m_estimates,
+                                             m_effort.features.most / kStrongShare);
+        if (!loose.empty() && m_report.effort != align::Effort::Draft) {
+            ProgressStep step(m_progress, 0.76, 0.8);
+            matchAgain(loose, align::wideOptions(), step);
+            m_report.pairsTriedAgain += loose.size();
+        }
     }
 
     /// Looks again, with another effort, at pairs that would join parts of the survey: more first, then less,
@@ -200,17 +214,16 @@ class AlignRun {
         });
         std::stable_partition(efforts.begin(), efforts.end(),
                               [&](align::Effort effort) { return effort > m_report.effort; });
-        const std::vector<int> counts = m_featureCounts; // What shows nothing is not looked at again.
-        double begin = 0.76;
+        double begin = 0.8;
         for (const align::Effort effort : efforts) {
             const align::EffortOptions other = align::optionsFor(effort);
             std::vector<std::pair<int, int>> apart =
                 m_alike ? align::likelyBridges(*m_alike, m_estimates, m_retrieval)
                         : align::neighboursApart(positions, m_estimates, other.neighbours);
             std::erase_if(apart, [&](const auto& pair) {
-                return std::min(counts[static_cast<std::size_t>(pair.first)],
-                                counts[static_cast<std::size_t>(pair.second)]) <
-                       align::PairOptions().leastInliers;
+                return std::min(m_bearings[static_cast<std::size_t>(pair.first)].size(),
+                                m_bearings[static_cast<std::size_t>(pair.second)].size()) <
+                       static_cast<std::size_t>(align::PairOptions().leastInliers); // They show nothing.
             });
             if (!apart.empty()) {
                 ProgressStep step(m_progress, begin, begin + 0.02);
@@ -223,45 +236,29 @@ class AlignRun {
 
     void matchAgain(const std::vector<std::pair<int, int>>& apart, const align::EffortOptions& effort,
                     ProgressSink& progress) {
-        std::map<int, int> placeOf; // Of each photo that has to be looked at again.
-        std::vector<std::pair<int, int>> places = apart;
+        std::set<int> again;
         for (const auto& [a, b] : apart) {
-            placeOf.try_emplace(a, 0);
-            placeOf.try_emplace(b, 0);
+            again.insert({a, b});
         }
-        std::vector<int> photos;
-        for (auto& [photo, place] : placeOf) {
-            place = static_cast<int>(photos.size());
-            photos.push_back(photo);
-        }
+        const std::vector<int> photos(again.begin(), again.end());
+        std::vector<std::pair<int, int>> places = apart;
         for (auto& [a, b] : places) {
-            a = placeOf.at(a);
-            b = placeOf.at(b);
+            a = static_cast<int>(std::ranges::lower_bound(photos, a) - photos.begin());
+            b = static_cast<int>(std::ranges::lower_bound(photos, b) - photos.begin());
         }
         ProgressStep finding(progress, 0, 0.8);
         const align::FoundFeatures found = featuresOf(photos, effort.features, finding);
         ProgressStep matching(progress, 0.8, 1);
         std::vector<align::PhotoPair> pairs =
             align::matchPairs(found.photos, places, effort.match, m_options.threads, matching, m_stop);
-        for (std::size_t i = 0; i < pairs.size(); ++i) {
-            pairs[i].a = apart[i].first;
-            pairs[i].b = apart[i].second;
-            // Features of each look are counted on, so that no number stands for two features.
-            for (align::Correspondence& match : pairs[i].matches) {
-                match.featureA += m_featureCounts[static_cast<std::size_t>(pairs[i].a)];
-                match.featureB += m_featureCounts[static_cast<std::size_t>(pairs[i].b)];
-            }
-        }
-        for (std::size_t i = 0; i < photos.size(); ++i) {
-            m_featureCounts[static_cast<std::size_t>(photos[i])] += found.photos[i].count();
-        }
+        align::renumber(found.photos, photos, ++m_looks, m_bearings, pairs);
         align::joinTags(m_aprilTags, pairs);
-        takeBetter(std::move(pairs));
+        takeBetter(std::move(pairs), effort.pair);
     }
 
     /// Of a pair that was compared twice the estimate that holds counts, the later one if both do.
-    void takeBetter(std::vector<align::PhotoPair> pairs) {
-        const std::vector<align::PairEstimate> made = estimates(pairs);
+    void takeBetter(std::vector<align::PhotoPair> pairs, const align::PairOptions& options) {
+        const std::vector<align::PairEstimate> made = estimates(pairs, options);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             const auto present = std::ranges::find_if(m_pairs, [&](const align::PhotoPair& pair) {
                 return pair.a == pairs[i].a && pair.b == pairs[i].b;
@@ -407,7 +404,8 @@ class AlignRun {
     std::vector<align::PhotoPrior> m_priors; ///< one a photo, as all below
     std::vector<align::PhotoPrior> m_tagged; ///< with the places that fit
     align::FoundFeatures m_features;
-    std::vector<int> m_featureCounts; ///< of all looks
+    int m_looks = 0;                                      ///< Number of looks after the first.
+    std::vector<std::vector<Eigen::Vector3f>> m_bearings; ///< Of all features so far, one list a photo.
     std::vector<align::TagSighting> m_aprilTags;
     align::RetrievalOptions m_retrieval;
     std::optional<align::Likeness> m_alike; ///< Of photos whose places are not known.

@@ -108,17 +108,47 @@ TEST_F(AgreeingParts, AreTwoAlsoWhereOnePhotoAgreesWithBothSides) {
 TEST_F(AgreeingParts, AreTwoWherePhotosBesideEachOtherShowLessThanUsual) {
     const PhotoAgreement one{0, 1, 100, 200, 0.5, 2};
     const PhotoAgreement other{2, 3, 100, 200, 0.5, 2};
+    const PhotoAgreement third{4, 5, 100, 200, 0.5, 2};
+    const PhotoAgreement fourth{6, 7, 100, 200, 0.5, 2};
     const PhotoAgreement farAway{0, 3, 100, 90, 1.2, 0.95};
+    const PhotoAgreement farther{3, 4, 100, 90, 1.2, 0.95};
+    const PhotoAgreement farthest{5, 6, 100, 90, 1.2, 0.95};
     PhotoAgreement beside{1, 2, 100, 70, 0.4, 0.8};
+    double besideM = 0.6;
     const auto found = [&] {
-        return agreeingParts({true, true, true, true}, std::vector{one, other, farAway, beside}, 0.3);
+        return agreeingParts(std::vector<bool>(8, true),
+                             std::vector{one, other, third, fourth, farAway, farther, farthest, beside}, 0.3,
+                             besideM);
     };
-    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(found(), ::testing::ElementsAre(1, 1, 0, 0, 0, 0, 0, 0));
     beside.betterShare = 1.1; // One of them is blurred.
     EXPECT_THAT(found(), Each(0));
     beside.betterShare = 0.8;
     beside.apartM = 0.7; // A wall may be between them.
     EXPECT_THAT(found(), Each(0));
+    beside.apartM = 0.4;
+    besideM = 0; // How long anything is, is not known.
+    EXPECT_THAT(found(), Each(0));
+}
+
+TEST_F(AgreeingParts, AreOneWhereHardlyAnyPhotosAreBesideEachOther) {
+    const PhotoAgreement one{0, 1, 100, 400, 0.2, 3.9};
+    const PhotoAgreement other{2, 3, 100, 180, 0.1, 1.9};
+    const PhotoAgreement between{1, 2, 100, 90, 1.2, 0.95};
+    EXPECT_THAT(agreeingParts({true, true, true, true}, std::vector{one, other, between}, 0.3), Each(0));
+}
+
+TEST_F(AgreeingParts, AreOneWhereAWallExplainsThatNothingIsThere) {
+    const PhotoAgreement one{0, 1, 100, 200, 1, 2, 2.5};
+    const PhotoAgreement other{2, 3, 100, 200, 1, 2, 2.5};
+    const PhotoAgreement throughDoor{1, 2, 100, 60, 1.5, 0.7, 2.5};
+    PhotoAgreement unlike{0, 3, 150, 1, 3.5, 0.02, 2.5}; // They stand farther apart than they see.
+    const auto found = [&] {
+        return agreeingParts({true, true, true, true}, std::vector{one, other, throughDoor, unlike}, 0.3);
+    };
+    EXPECT_THAT(found(), Each(0));
+    unlike.apartM = 1.2; // No wall is there, and yet nothing of the other's things.
+    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 1, 1));
 }
 
 TEST_F(AgreeingParts, AreOneWhereAllPhotosAreDense) {

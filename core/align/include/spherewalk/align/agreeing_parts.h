@@ -21,6 +21,7 @@ struct PhotoAgreement {
     /// What is seen of the things expected from one side, the better one. A blurred photo shows little, but
     /// what it shows is seen beside it. At least 1 if too few things are expected from one side.
     double betterShare = 1;
+    double rangeM = 0; ///< Median distance of what either photo sees, the larger one.
 };
 
 /// The agreement of each pair whose photos both have a pose, in their order. Shape: roomFromPhoto has one
@@ -36,14 +37,15 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 ///
 /// Two photos disagree if less than `leastShare` of the expected things is seen. Where fewer than 20 things
 /// are expected, nothing speaks against the pair. Two photos contradict each other if hardly any of 50 things
-/// or more is there, or if they stand within 0.6 m, so that no wall is between their lenses, and both show
-/// less than half of what most photos so near to each other show. They are never in one part, and the pairs
-/// that agree least are cut between them.
+/// or more is there, although they stand nearer to each other than things usually do, so that hardly a wall
+/// hides them; or if they stand within besideM, so that no wall is between their lenses, and both show less
+/// than half of what most of five such pairs or more show. They are never in one part, and the pairs that
+/// agree least are cut between them. besideM: 0 where lengths are not in metres.
 ///
 /// Shape: isPlaced has one entry a photo, and all photos that agreements name are placed. The result has one
 /// entry a photo: the number of its part, 0 for the one with the most photos; -1 for photos that are not
 /// placed.
 std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<const PhotoAgreement> agreements,
-                               double leastShare);
+                               double leastShare, double besideM = 0.6);
 
 } // namespace spherewalk::align

@@ -44,6 +44,11 @@ std::vector<std::pair<int, int>> neighboursApart(std::span<const Eigen::Vector3d
                                                  std::span<const PairEstimate> estimates,
                                                  const NeighbourOptions& options = {});
 
+/// The compared pairs that are worth a wide look (wideOptions()): those of photos that fewer than three pairs
+/// hold with so many inliers or more. Each pair once, sorted. Range: estimates name photos below `photos`.
+std::vector<std::pair<int, int>> loosePairs(int photos, std::span<const PairEstimate> estimates,
+                                            int strongInliers);
+
 struct MatchOptions {
     double mostRatio = 0.8;      ///< Largest ratio of the best to the second best distance, (0, 1].
     Radians reach = Degrees(30); ///< How far a thing may move between two photos that are turned alike.
@@ -84,6 +89,13 @@ std::vector<PhotoPair> matchPairs(std::span<const Features> photos,
                                   std::span<const std::pair<int, int>> pairs, const MatchOptions& options,
                                   int threads, ProgressSink& progress, const std::stop_token& stop);
 
+/// Makes pairs that were matched in another look name photos and features as all looks do. Then pairs of
+/// different looks share things. looked: the features that this look found in `photos`, in their order;
+/// photos: indices, ascending; known: the bearings of all features of each photo so far, by number. A feature
+/// that lies where a known one does gets its number; others get new ones, and their bearings are added.
+void renumber(std::span<const Features> looked, std::span<const int> photos, int look,
+              std::vector<std::vector<Eigen::Vector3f>>& known, std::span<PhotoPair> pairs);
+
 /// How much work goes into the pictures: 0.1, 0.5, 1.5 and 3.5 s of one core a photo, matching included.
 enum class Effort {
     Draft,  ///< A first look: headings to a few tenths of a degree.
@@ -102,9 +114,14 @@ struct EffortOptions {
     FeatureOptions features;
     MatchOptions match;
     NeighbourOptions neighbours;
+    PairOptions pair; ///< Without what is known of the photos.
 };
 
-/// The options of all three steps that an effort stands for.
+/// The options of all steps that an effort stands for.
 EffortOptions optionsFor(Effort effort);
+
+/// The options of a wide look, at photos that share little: things are described as they look from aslant,
+/// too, and may lie anywhere in the other photo.
+EffortOptions wideOptions();
 
 } // namespace spherewalk::align
