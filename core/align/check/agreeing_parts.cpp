@@ -96,8 +96,8 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
     std::vector<PhotoAgreement> all;
     for (const PhotoPair& pair : pairs) {
         if (pair.a != pair.b && sightings.isPlaced(pair.a) && sightings.isPlaced(pair.b)) {
-            const ExpectedThings inA = sightings.expected(pair.a, pair.b, pair.look);
-            const ExpectedThings inB = sightings.expected(pair.b, pair.a, pair.look);
+            const ExpectedThings inA = sightings.expected(pair.a, pair.b);
+            const ExpectedThings inB = sightings.expected(pair.b, pair.a);
             const Eigen::Vector3d apart = roomFromPhoto[static_cast<std::size_t>(pair.a)]->translation -
                                           roomFromPhoto[static_cast<std::size_t>(pair.b)]->translation;
             all.push_back({pair.a, pair.b, inA.expected + inB.expected, inA.seen + inB.seen, apart.norm(),

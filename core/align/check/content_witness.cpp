@@ -118,8 +118,7 @@ void Sightings::add(int photo, Neighbour other, const Correspondence& match, boo
         return;
     }
     Sighting sighting{feature,
-                      other.photo,
-                      other.look,
+                      other,
                       isFromA ? match.featureB : match.featureA,
                       isFromA ? &match.inA : &match.inB,
                       isFromA ? &match.inB : &match.inA,
@@ -185,9 +184,9 @@ void Sightings::witness(int photo, Neighbour neighbour, PhotoWitnesses& result) 
     }
 }
 
-ExpectedThings Sightings::expected(int photo, int neighbour, int look) const {
+ExpectedThings Sightings::expected(int photo, int neighbour) const {
     PhotoWitnesses found;
-    witness(photo, {neighbour, look}, found);
+    witness(photo, {neighbour}, found);
     ExpectedThings things;
     for (const Witness& witness : found.witnesses) {
         things.expected += witness.chance;
@@ -212,9 +211,9 @@ std::optional<Witness> Sightings::witness(int photo, Neighbour neighbour, std::s
     const Sighting* inPhoto = nullptr;
     std::vector<double> rangesM;
     for (const Sighting& sighting : ofFeature) {
-        if (sighting.other == photo) {
+        if (sighting.other.photo == photo) {
             inPhoto = &sighting;
-        } else if (sighting.rangeM > 0 && sighting.look == neighbour.look) {
+        } else if (sighting.rangeM > 0 && sighting.other.isOf(neighbour.look)) {
             rangesM.push_back(sighting.rangeM);
         }
     }
@@ -238,10 +237,10 @@ std::optional<Witness> Sightings::witness(int photo, Neighbour neighbour, std::s
     if (m_isSearched && !m_isSearched(witness.expected)) {
         return std::nullopt;
     }
-    witness.chance =
-        confirming /
-        static_cast<double>(std::ranges::count(m_neighbours[static_cast<std::size_t>(neighbour.photo)],
-                                               neighbour.look, &Neighbour::look));
+    const auto asked =
+        std::ranges::count_if(m_neighbours[static_cast<std::size_t>(neighbour.photo)],
+                              [&neighbour](const Neighbour& each) { return each.isOf(neighbour.look); });
+    witness.chance = confirming / static_cast<double>(asked);
     witness.weight = 1 / (1 + confirming);
     if (inPhoto != nullptr) {
         witness.isSeen = (*inPhoto->others - witness.expected).norm() < kSeenChord;
@@ -253,8 +252,8 @@ std::optional<Witness> Sightings::witness(int photo, Neighbour neighbour, std::s
     if (!witness.isSeen) {
         witness.viewers.push_back(neighbour.photo);
         for (const Sighting& sighting : ofFeature) {
-            if (sighting.rangeM > 0 && sighting.other != photo && sighting.look == neighbour.look) {
-                witness.viewers.push_back(sighting.other);
+            if (sighting.rangeM > 0 && sighting.other.photo != photo && sighting.other.isOf(neighbour.look)) {
+                witness.viewers.push_back(sighting.other.photo);
             }
         }
     }

@@ -54,9 +54,9 @@ class Sightings {
     /// The witnesses of all neighbours of a photo. Cost: grows with their matches. Threads: any.
     PhotoWitnesses witnesses(int photo) const;
 
-    /// What the neighbour shares with third photos, and how much of it this photo shows. look: that of the
-    /// pair of both. Threads: any.
-    ExpectedThings expected(int photo, int neighbour, int look) const;
+    /// What the neighbour shares with third photos in any look, and how much of it this photo shows. Threads:
+    /// any.
+    ExpectedThings expected(int photo, int neighbour) const;
 
     bool isPlaced(int photo) const { return m_roomFromPhoto[static_cast<std::size_t>(photo)].has_value(); }
 
@@ -67,11 +67,20 @@ class Sightings {
     Eigen::Vector3d positionInPhoto(int photo, int other) const;
 
   private:
+    /// Another photo of a pair, and the look that found the pair's matches.
+    struct Neighbour {
+        static constexpr int kAnyLook = -1;
+
+        int photo = 0;
+        int look = kAnyLook;
+
+        bool isOf(int asked) const { return asked == kAnyLook || look == asked; }
+    };
+
     /// One match from the view of one of its photos.
     struct Sighting {
         int feature = 0;
-        int other = 0; ///< Index of the other photo.
-        int look = 0;  ///< That of the pair.
+        Neighbour other;
         int featureOfOther = -1;
         const Eigen::Vector3d* own = nullptr;
         const Eigen::Vector3d* others = nullptr;
@@ -79,16 +88,10 @@ class Sightings {
         double rangeM = 0; ///< Along the own bearing; 0 if the two photos do not tell.
     };
 
-    /// Another photo of a pair.
-    struct Neighbour {
-        int photo = 0;
-        int look = 0; ///< That of the pair.
-    };
-
     void add(int photo, Neighbour other, const Correspondence& match, bool isFromA, bool isInlier);
     double rangeM(int photo, int other, const Eigen::Vector3d& own, const Eigen::Vector3d& others) const;
-    /// Adds the neighbour's witnesses, with the share of its photos that show the thing as their chance. Only
-    /// the photos of one look are asked.
+    /// Adds the neighbour's witnesses, with the share of its photos that show the thing as their chance. The
+    /// photos of the neighbour's look are asked.
     void witness(int photo, Neighbour neighbour, PhotoWitnesses& result) const;
     std::optional<Witness> witness(int photo, Neighbour neighbour, std::span<const Sighting> ofFeature,
                                    PhotoWitnesses& result) const;

@@ -244,6 +244,34 @@ TEST(ContentCheck, MissesNothingWherePhotosWereNotSearched) {
     EXPECT_GT(alarms, 0U);
 }
 
+TEST(ContentCheck, MissesNothingThatAnotherLookDidNotFind) {
+    // The pairs of one photo were compared in a look that found nothing ahead.
+    constexpr int kPhoto = 7;
+    std::size_t alarms = 0;
+    for (unsigned seed = 51; seed <= 56; ++seed) {
+        Random random(seed);
+        FurnishedSurvey survey({}, random);
+        survey.expose(random);
+        for (std::size_t pair = 0; pair < survey.pairs.size(); ++pair) {
+            PhotoPair& own = survey.pairs[pair];
+            for (std::size_t i = own.matches.size(); i-- > 0 && (own.a == kPhoto || own.b == kPhoto);) {
+                const Eigen::Vector3d& bearing = own.a == kPhoto ? own.matches[i].inA : own.matches[i].inB;
+                if (bearing.x() > 0.8) {
+                    own.matches.erase(own.matches.begin() + static_cast<std::ptrdiff_t>(i));
+                    survey.isInlier[pair].erase(survey.isInlier[pair].begin() +
+                                                static_cast<std::ptrdiff_t>(i));
+                }
+            }
+        }
+        alarms += photosOf(check(survey)).count(kPhoto);
+        for (PhotoPair& pair : survey.pairs) {
+            pair.look = pair.a == kPhoto || pair.b == kPhoto ? 1 : 0;
+        }
+        EXPECT_EQ(photosOf(check(survey)).count(kPhoto), 0U) << "seed " << seed;
+    }
+    EXPECT_GT(alarms, 0U);
+}
+
 TEST(ContentCheck, TakesNothingForMovedThatNeighboursSeeWhereItIs) {
     // The photo sees no chair, and its neighbours' chair is taken for what really stands beside it.
     constexpr int kPhoto = 12;

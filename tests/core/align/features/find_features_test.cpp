@@ -48,6 +48,22 @@ TEST(FeatureCache, GivesBackWhatItKept) {
     EXPECT_EQ(*cache.find(kPhoto), someFeatures());
 }
 
+TEST(FeatureCache, KeepsWhichFeaturesShowOneThing) {
+    const test::TemporaryFolder folder;
+    FeatureOptions options;
+    options.isWide = true;
+    const FeatureCache cache(folder.path(), options);
+    Features features = someFeatures(4);
+    features.firstOf = {0, 1, 0, 3};
+    cache.keep(kPhoto, features);
+    ASSERT_TRUE(cache.find(kPhoto));
+    EXPECT_EQ(*cache.find(kPhoto), features);
+    features.firstOf = {0, 2, 0, 3}; // The second cannot be the third's.
+    cache.keep(kPhoto, features);
+    EXPECT_FALSE(cache.find(kPhoto));
+    EXPECT_FALSE(FeatureCache(folder.path(), {}).find(kPhoto));
+}
+
 TEST(FeatureCache, KeepsThatAPhotoHasNoFeatures) {
     const test::TemporaryFolder folder;
     const FeatureCache cache(folder.path(), {});

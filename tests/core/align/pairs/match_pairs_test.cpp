@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <set>
 
 namespace spherewalk::align {
 
@@ -297,6 +299,102 @@ TEST(Effort, OptionsAreValidAndEachRungLooksAtMore) {
         EXPECT_GT(options.features.most, before.features.most);
         before = options;
     }
+}
+
+namespace {
+
+/// Where a ray from a lens meets a wall one metre to its left; empty beyond the wall's ends.
+std::optional<Eigen::Vector3d> onWall(const Eigen::Vector3d& lens, const Eigen::Vector3d& bearing) {
+    if (bearing.y() < 0.05) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d at = lens + bearing / bearing.y();
+    return std::abs(at.z()) < 1.5 && std::abs(at.x() - 1) < 4 ? std::optional(at) : std::nullopt;
+}
+
+/// A photo of a wall of noise, in a world that is grey.
+RgbImage wallPhoto(const Eigen::Vector3d& lens) {
+    constexpr int kWidth = 1024;
+    RgbImage photo(kWidth, kWidth / 2);
+    for (int y = 0; y < photo.height(); ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const auto at = onWall(lens, direction(EquirectSize{kWidth, kWidth / 2}, Eigen::Vector2d(x, y)));
+            const double value =
+                at ? 0.5 * test::spaceNoise(*at * 6) + 0.5 * test::spaceNoise(*at * 15) : 0.5;
+            std::fill_n(photo.at(x, y), 3, static_cast<std::uint8_t>(std::lround(255 * value)));
+        }
+    }
+    return photo;
+}
+
+/// Number of matches that show one point of the wall.
+int rightMatches(const RgbImage& a, const RgbImage& b, const Eigen::Vector3d& bFromA, bool isWide) {
+    FeatureOptions options;
+    options.width = 1024;
+    options.isWide = isWide;
+    MatchOptions match;
+    match.isGuided = false;
+    int right = 0;
+    for (const Correspondence& found :
+         matchFeatures(detectFeatures(a, options), detectFeatures(b, options), match)) {
+        const auto inA = onWall(Eigen::Vector3d::Zero(), found.inA);
+        const auto inB = onWall(bFromA, found.inB);
+        right += inA && inB && (*inA - *inB).norm() < 0.05 ? 1 : 0;
+    }
+    return right;
+}
+
+} // namespace
+
+TEST(WideMatch, KnowsAWallAgainThatIsSeenFromAslant) {
+    const Eigen::Vector3d aside(2.2, 0, 0);
+    const RgbImage a = wallPhoto(Eigen::Vector3d::Zero());
+    const RgbImage b = wallPhoto(aside);
+    const int usual = rightMatches(a, b, aside, false);
+    const int wide = rightMatches(a, b, aside, true);
+    EXPECT_GT(wide, 3 * usual);
+    EXPECT_GT(wide, 60);
+}
+
+TEST(WideMatch, MatchesEachThingOnce) {
+    const RgbImage photo = wallPhoto(Eigen::Vector3d::Zero());
+    FeatureOptions options;
+    options.width = 1024;
+    options.isWide = true;
+    const Features features = detectFeatures(photo, options);
+    ASSERT_EQ(features.firstOf.size(), features.bearings.size());
+    MatchOptions match;
+    match.isGuided = false;
+    std::set<int> things;
+    for (const Correspondence& found : matchFeatures(features, features, match)) {
+        EXPECT_EQ(found.featureA, found.featureB);
+        EXPECT_EQ(features.thing(found.featureA), found.featureA);
+        EXPECT_TRUE(things.insert(found.featureA).second);
+    }
+    EXPECT_GT(things.size(), 200U);
+}
+
+TEST(Renumber, GivesOneThingOneNumberInAllLooks) {
+    test::Random random(5);
+    SCOPED_TRACE(random.seed());
+    const std::vector<Eigen::Vector3d> all = directions(40, random);
+    const Features first = made({all.begin(), all.begin() + 30}, random);
+    const Features second = made({all.begin() + 20, all.end()}, random);
+    std::vector<std::vector<Eigen::Vector3f>> known{{}, first.bearings, first.bearings};
+    const std::vector looked{second, second};
+    std::vector<PhotoPair> pairs{{0, 1, matchFeatures(second, second, {})}};
+    ASSERT_EQ(pairs[0].matches.size(), 20U);
+    renumber(looked, std::vector{1, 2}, 7, known, pairs);
+
+    EXPECT_EQ(pairs[0].a, 1);
+    EXPECT_EQ(pairs[0].b, 2);
+    EXPECT_EQ(pairs[0].look, 7);
+    for (std::size_t i = 0; i < 20; ++i) { // Ten that the first look knew, and ten new ones.
+        EXPECT_EQ(pairs[0].matches[i].featureA, static_cast<int>(20 + i));
+        EXPECT_EQ(pairs[0].matches[i].featureB, static_cast<int>(20 + i));
+    }
+    EXPECT_TRUE(known[0].empty());
+    EXPECT_EQ(known[1].size(), 40U);
 }
 
 } // namespace spherewalk::align

@@ -177,4 +177,19 @@ TEST(NeighboursApart, AreLookedAtAgainWhereOneWeakPairAloneJoinsTwoParts) {
     EXPECT_TRUE(neighboursApart(positions, confirmed).empty());
 }
 
+TEST(LoosePairs, AreThoseOfPhotosThatFewPairsHoldWell) {
+    // Photos 0 to 3 hold each other; 4 hangs on one of them by a weak pair.
+    std::vector<PairEstimate> estimates;
+    for (const auto& [a, b] : {std::pair(0, 1), std::pair(0, 2), std::pair(0, 3), std::pair(1, 2),
+                               std::pair(1, 3), std::pair(2, 3)}) {
+        estimates.push_back(held(a, b, 80));
+    }
+    EXPECT_TRUE(loosePairs(4, estimates, 80).empty());
+    EXPECT_EQ(loosePairs(4, estimates, 81).size(), 6U);
+    estimates.push_back(held(3, 4, 20));
+    estimates.push_back(held(2, 4, 0));
+    estimates.back().verdict = PairVerdict::TooFew;
+    EXPECT_EQ(loosePairs(5, estimates, 80), (std::vector<std::pair<int, int>>{{2, 4}, {3, 4}}));
+}
+
 } // namespace spherewalk::align
