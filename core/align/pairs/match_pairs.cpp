@@ -176,8 +176,8 @@ EffortOptions wideOptions() {
     options.features.isWide = true;
     options.features.most = 2000;
     options.match.isGuided = false; // Near things move far between photos metres apart.
-    options.pair.reach = Radians(1);
     options.pair.leastSine = 0.03;
+    options.pair.leastShare = 0.35; // Of matches that may lie anywhere, mirror images reach more.
     return options;
 }
 
