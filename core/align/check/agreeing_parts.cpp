@@ -93,6 +93,10 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
                                             std::span<const PhotoPair> pairs,
                                             std::span<const std::vector<bool>> isInlier) {
     const Sightings sightings(roomFromPhoto, pairs, isInlier);
+    std::vector<double> rangesM; // One a photo.
+    for (std::size_t i = 0; i < roomFromPhoto.size(); ++i) {
+        rangesM.push_back(sightings.usualRangeM(static_cast<int>(i)));
+    }
     std::vector<PhotoAgreement> all;
     for (const PhotoPair& pair : pairs) {
         if (pair.a != pair.b && sightings.isPlaced(pair.a) && sightings.isPlaced(pair.b)) {
@@ -102,7 +106,8 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
                                           roomFromPhoto[static_cast<std::size_t>(pair.b)]->translation;
             all.push_back({pair.a, pair.b, inA.expected + inB.expected, inA.seen + inB.seen, apart.norm(),
                            betterShare(inA, inB),
-                           std::max(sightings.usualRangeM(pair.a), sightings.usualRangeM(pair.b))});
+                           std::max(rangesM[static_cast<std::size_t>(pair.a)],
+                                    rangesM[static_cast<std::size_t>(pair.b)])});
         }
     }
     return all;

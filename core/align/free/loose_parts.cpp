@@ -148,7 +148,6 @@ PlaceAgreement::PlaceAgreement(const FreePlaces& places, std::span<const PhotoPa
 }
 
 std::vector<int> PlaceAgreement::parts(double leastShare) const {
-    constexpr double kBesideM = 0.6;
     return agreeingParts(m_isPlaced, m_agreements, leastShare, m_isInMetres ? kBesideM : 0);
 }
 

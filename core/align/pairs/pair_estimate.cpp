@@ -32,7 +32,6 @@ constexpr double kChance = 0.04;
 
 Bearings usable(const PhotoPair& pair, const PairOptions& options) {
     Bearings bearings;
-    bearings.reach = options.reach;
     bearings.leastSine = options.leastSine;
     for (std::size_t i = 0; i < pair.matches.size(); ++i) {
         if (const std::optional<UnitMatch> match = unitMatch(pair.matches[i])) {

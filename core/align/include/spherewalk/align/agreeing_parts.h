@@ -10,6 +10,9 @@
 
 namespace spherewalk::align {
 
+/// No wall is between lenses that are no farther apart.
+inline constexpr double kBesideM = 0.6;
+
 /// How much two placed photos show of each other's things.
 struct PhotoAgreement {
     int a = 0;
@@ -46,6 +49,6 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 /// entry a photo: the number of its part, 0 for the one with the most photos; -1 for photos that are not
 /// placed.
 std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<const PhotoAgreement> agreements,
-                               double leastShare, double besideM = 0.6);
+                               double leastShare, double besideM = kBesideM);
 
 } // namespace spherewalk::align

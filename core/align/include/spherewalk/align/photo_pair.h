@@ -59,8 +59,8 @@ struct PhotoPair {
     int a = 0; ///< Index among the photos, less than b.
     int b = 0;
     std::vector<Correspondence> matches;
-    int look =
-        0; ///< Number of the look that found the matches. What one look finds in a photo, another may miss.
+    /// Number of the look that found the matches. What one look finds in a photo, another may miss.
+    int look = 0;
 };
 
 enum class PairVerdict {
@@ -96,9 +96,6 @@ struct PairOptions {
     int leastInliers = 15;
     double leastShare = 0.15; ///< A mirror image reaches a share of 0.14 by chance.
     int threads = 0;          ///< 0 means all that the machine has.
-    /// How far a thing may move between two photos that are turned alike, below a right angle. The floor 1.2
-    /// m below moves by 0.6 seen from 0.8 m farther.
-    Radians reach = Radians(0.6);
     /// Bearings nearer to the baseline are not asked, by the sine of the angle. Along a corridor most things
     /// lie there; but a wrong match among them turns the baseline. Range: large against the bearings' errors.
     double leastSine = 0.12;
