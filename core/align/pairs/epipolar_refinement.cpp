@@ -108,7 +108,6 @@ namespace {
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 
-constexpr double kGateRad = 0.6; // The floor 1.2 m below moves so, seen from 0.8 m farther.
 constexpr double kInlierSigmas = 3.5;
 constexpr double kLargestFitScale = 4; // Larger residuals are no noise.
 constexpr std::size_t kTried = 240;    // Number of bearings that directions are tried with.
@@ -187,7 +186,7 @@ std::vector<int> gated(const Bearings& bearings, const Eigen::Matrix3d& start) {
     std::vector<int> inside;
     for (const int at : FixedRandom(0x5EED0002).permutation(bearings.count())) {
         const auto i = static_cast<std::size_t>(at);
-        if (bearings.inA[i].dot(start * bearings.inB[i]) > std::cos(kGateRad)) {
+        if (bearings.inA[i].dot(start * bearings.inB[i]) > std::cos(bearings.reach.value())) {
             inside.push_back(at);
         }
     }

@@ -177,7 +177,7 @@ EffortOptions wideOptions() {
     options.features.most = 2000;
     options.match.isGuided = false; // Near things move far between photos metres apart.
     options.pair.leastSine = 0.03;
-    options.pair.leastShare = 0.35; // Of matches that may lie anywhere, mirror images reach more.
+    options.pair.reach = Radians(0.8); // The floor moves so, seen from 1.2 m farther.
     return options;
 }
 

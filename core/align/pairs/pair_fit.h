@@ -16,6 +16,7 @@ struct Bearings {
     std::vector<Eigen::Vector3d> inB;
     std::vector<double> sigmaRad;
     std::vector<int> match; ///< Index among the pair's matches.
+    Radians reach = PairOptions().reach;
     double leastSine = PairOptions().leastSine;
 
     int count() const { return static_cast<int>(inA.size()); }

@@ -184,7 +184,7 @@ class AlignRun {
                                                align::PairOptions options) const {
         options.threads = m_options.threads;
         for (const align::PhotoPrior& prior : m_priors) {
-            options.levelFromPhoto.push_back(align::levelFromPhoto(prior));
+            options.ups.push_back(align::knownUp(prior));
         }
         std::vector<align::PairEstimate> made = align::estimatePairs(pairs, options);
         throwIfStopped(m_stop);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "made/synthetic_survey.h"
+#include "random.h"
 
 #include "spherewalk/align/photo_pair.h"
 #include "spherewalk/base/fixed_random.h"
@@ -109,6 +110,43 @@ TEST(PairEstimate, SaysHowFarItErrs) {
     EXPECT_LT(std::sqrt(baselineSquares / count), 1.6);
 }
 
+// All of these lie in planes with the baseline and in front, as matches do that fit by chance.
+TEST(PairEstimate, BelievesNoMatchesWhoseNeighboursChangePlaces) {
+    for (const double mostM : {1.5, 15.0}) {
+        test::Random random(7);
+        PhotoPair pair;
+        pair.b = 1;
+        const Eigen::Quaterniond aFromB = attitude(50);
+        for (int i = 0; i < 300; ++i) {
+            const Eigen::Vector3d inA = random.direction();
+            const double distanceM = 1 / random.uniform(1 / mostM, 1 / 1.3);
+            const Eigen::Vector3d fromB = distanceM * inA - Eigen::Vector3d(1, 0.4, 0);
+            pair.matches.push_back({inA, aFromB.conjugate() * fromB.normalized(), 1e-3});
+        }
+        PairOptions options;
+        options.reach = Radians(1.5);
+        const PairEstimate estimate = estimatePair(pair, options);
+        EXPECT_GT(estimate.inlierShare, 0.8);
+        EXPECT_LT(angleBetween(estimate.aFromB, aFromB).value(), kPairDegree);
+        EXPECT_EQ(estimate.verdict, mostM < 2 ? PairVerdict::Constraint : PairVerdict::NoAgreement) << mostM;
+    }
+}
+
+TEST(PairEstimate, TakesOfTwoRotationsTheOneThatKeepsWhatIsUp) {
+    const SyntheticPair upright = syntheticPair(seededPairs(1), {0.3, 0.2, 0}, attitude(40));
+    SyntheticPair both = syntheticPair(seededPairs(2), {0.3, -0.2, 0}, attitude(70, 20, 10));
+    const auto half = static_cast<std::ptrdiff_t>(both.pair.matches.size() / 2);
+    both.pair.matches.insert(both.pair.matches.end(), upright.pair.matches.begin(),
+                             upright.pair.matches.begin() + half * 9 / 5);
+    EXPECT_EQ(estimatePair(both.pair).verdict, PairVerdict::NoAgreement);
+    PairOptions stated;
+    const Eigen::Vector3d upInB = attitude(40).conjugate() * Eigen::Vector3d::UnitZ();
+    stated.ups = {{upright.aFromB * upInB, 0.5 * kPairDegree}, {upInB, 0.5 * kPairDegree}};
+    const PairEstimate estimate = estimatePair(both.pair, stated);
+    EXPECT_EQ(estimate.verdict, PairVerdict::Constraint);
+    EXPECT_LT(errorOf(estimate, upright), 0.3 * kPairDegree);
+}
+
 // Real photos two metres apart: near things move by 20 degrees and more, and most matches are wrong.
 TEST(PairEstimate, FindsRotationsOfLongStepsFromAFewRightMatches) {
     int right = 0;
@@ -121,10 +159,9 @@ TEST(PairEstimate, FindsRotationsOfLongStepsFromAFewRightMatches) {
         const SyntheticPair made = syntheticPair(options, offset, roomFromB);
         PairOptions stated;
         // What a photo says of its tilt, a degree off.
-        stated.levelFromPhoto = {attitude(0, 0.7, 0.7) * roomFromB * made.aFromB.conjugate(),
-                                 attitude(0, -0.7, 0.7) * roomFromB};
-        for (Eigen::Quaterniond& level : stated.levelFromPhoto) {
-            level = yawRotation(Degrees(seed * 31.0)) * level;
+        for (const Eigen::Quaterniond& level : {attitude(0, 0.7, 0.7) * roomFromB * made.aFromB.conjugate(),
+                                                attitude(0, -0.7, 0.7) * roomFromB}) {
+            stated.ups.push_back({level.conjugate() * Eigen::Vector3d::UnitZ(), 1 * kPairDegree});
         }
         const PairEstimate estimate = estimatePair(made.pair, stated);
         right += estimate.verdict == PairVerdict::Constraint && errorOf(estimate, made) < 0.5 * kPairDegree;
