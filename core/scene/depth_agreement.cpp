@@ -24,10 +24,10 @@ constexpr int kUsualWidth = 1024; ///< Numbers of pixels below are for depths of
 constexpr int kBeside = 2;        ///< Half the sides of the squares in which confirmed pixels are counted.
 constexpr int kAbout = 10;
 constexpr int kWidely = 60;
-constexpr float kChance = 0.35F;        ///< Share of the pixels that neighbours may confirm by chance.
-constexpr float kCertain = 0.7F;        ///< Share from which the pixels' depth counts in full.
-constexpr float kChanceOfPhoto = 0.25F; ///< The same of a whole photo.
-constexpr float kCertainOfPhoto = 0.5F;
+constexpr float kChance = 0.35F;       ///< Share of the pixels that neighbours may confirm by chance.
+constexpr float kCertain = 0.7F;       ///< Share from which the pixels' depth counts in full.
+constexpr float kChanceOfPhoto = 0.2F; ///< The same of what is evident in a whole photo.
+constexpr float kCertainOfPhoto = 0.4F;
 constexpr float kBareWeight = 0.004F; ///< Of a depth that is confirmed, but not evident.
 constexpr float kLeastWeight = 0.05F; ///< From which a depth is kept as it was found.
 constexpr float kOnSurface = 0.03F; ///< Share of 1 / distance by which a depth may differ from the surface's.
@@ -83,16 +83,19 @@ float aboveChance(float share) {
     return std::clamp((share - kChance) / (kCertain - kChance), 0.0F, 1.0F);
 }
 
-/// The same for the share of a whole photo, which may look into rooms that no other photo sees. Rows count by
-/// their length on the sphere.
-float aboveChance(const MaskImage& confirmed) {
+/// The same for the share of what is evident in a whole photo, which may look into rooms that no other photo
+/// sees. Rows count by their length on the sphere. Of a bare wall much is confirmed by chance.
+float aboveChance(const MaskImage& evident, const MaskImage& confirmed) {
+    constexpr double kBareShare = 0.01;
     double all = 0;
     double sum = 0;
     for (int y = 0; y < confirmed.height(); ++y) {
-        const auto row = confirmed.row(y);
         const double length = std::sin(std::numbers::pi * (y + 0.5) / confirmed.height());
-        sum += length * static_cast<double>(std::count(row.begin(), row.end(), std::uint8_t{255}));
-        all += length * confirmed.width();
+        for (int x = 0; x < confirmed.width(); ++x) {
+            const double area = *evident.at(x, y) != 0 ? length : kBareShare * length;
+            all += area;
+            sum += *confirmed.at(x, y) != 0 ? area : 0;
+        }
     }
     const auto share = static_cast<float>(sum / all);
     return std::clamp((share - kChanceOfPhoto) / (kCertainOfPhoto - kChanceOfPhoto), 0.0F, 1.0F);
@@ -108,7 +111,7 @@ Plane weights(const MaskImage& evident, const MaskImage& confirmed, int threads)
     const Plane beside = sharesWithin(kBeside);
     const Plane about = sharesWithin(kAbout);
     const Plane widely = sharesWithin(kWidely);
-    const float ofPhoto = aboveChance(confirmed);
+    const float ofPhoto = aboveChance(evident, confirmed);
     Plane result(evident.width(), evident.height());
     for (std::size_t i = 0; i < result.values().size(); ++i) {
         if (confirmed.values()[i] != 0) {
@@ -150,7 +153,25 @@ float usualInverse(const PhotoDepth& depth) {
     return quantileInPlace(evident.empty() ? all : evident, 0.5);
 }
 
+Plane completed(const PhotoDepth& depth, const Plane& weight, const RgbImage& picture, int threads) {
+    const RgbImage guide = photo::resized(picture, weight.width(), weight.height());
+    return completedByPlanes(depth.inverseM, weight, guide,
+                             {usualInverse(depth), 1 / kFarthestM, 1 / kNearestM}, threads);
+}
+
 } // namespace
+
+Plane continuedFromSure(const PhotoDepth& depth, const RgbImage& picture, int threads) {
+    Plane weight = sharesAbout(depth.sure, kBeside, threads);
+    for (std::size_t i = 0; i < weight.values().size(); ++i) {
+        weight.values()[i] = depth.sure.values()[i] != 0 ? weight.values()[i] * weight.values()[i] : 0;
+    }
+    Plane result = completed(depth, weight, picture, threads);
+    for (std::size_t i = 0; i < result.values().size(); ++i) {
+        result.values()[i] = depth.sure.values()[i] != 0 ? depth.inverseM.values()[i] : result.values()[i];
+    }
+    return result;
+}
 
 PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads) {
@@ -158,22 +179,20 @@ PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
     const MaskImage agreed = confirmed(photo, neighbours, threads);
     Plane weight = weights(own.sure, agreed, threads);
     dropSpecks(own.inverseM, weight);
-    const RgbImage guide = photo::resized(picture, own.sure.width(), own.sure.height());
-    const Plane completed = completedByPlanes(own.inverseM, weight, guide,
-                                              {usualInverse(own), 1 / kFarthestM, 1 / kNearestM}, threads);
-    PhotoDepth result{completed, MaskImage(own.sure.width(), own.sure.height())};
+    const Plane planes = completed(own, weight, picture, threads);
+    PhotoDepth result{planes, MaskImage(own.sure.width(), own.sure.height())};
     for (std::size_t i = 0; i < weight.values().size(); ++i) {
         const float found = own.inverseM.values()[i];
         const bool isEvident = own.sure.values()[i] != 0;
         if (weight.values()[i] > (isEvident ? kLeastWeight : kBareWeight * kLeastWeight)) {
-            const bool fits = std::fabs(found - completed.values()[i]) < kOnSurface * found;
-            result.inverseM.values()[i] = isEvident ? found : completed.values()[i];
+            const bool fits = std::fabs(found - planes.values()[i]) < kOnSurface * found;
+            result.inverseM.values()[i] = isEvident ? found : planes.values()[i];
             result.sure.values()[i] = isEvident || fits ? 255 : 0;
         }
     }
     forEachSpeck(Plane(result.inverseM), [&](const std::vector<std::size_t>& pixels) {
         for (const std::size_t i : pixels) {
-            result.inverseM.values()[i] = completed.values()[i];
+            result.inverseM.values()[i] = planes.values()[i];
         }
     });
     result.inverseM = smoothedSurfaces(result.inverseM, threads);

@@ -80,6 +80,7 @@ class Refinement {
             takeBetter(candidates, [](std::size_t) {});
         }
         dropSpecks(*photo.depth);
+        m_depth.inverseM = continuedFromSure(m_depth, photo.photo.atLeast(m_depth.sure.width()), m_threads);
         m_depth.inverseM = smoothedSurfaces(m_depth.inverseM, m_threads);
         return std::move(m_depth);
     }

@@ -27,9 +27,9 @@ constexpr int kWidthOfReach = 1024;
 constexpr int kBehind = 32;      ///< Reach in pixels of a picture of that width; see tieBehind().
 constexpr float kNearer = 1.08F; ///< What is nearer by this factor is another thing.
 constexpr float kTieToNearer = 0.1F;
-constexpr float kWeight = 30;   ///< Of a known value in a picture of that width, to ties of 1.
-constexpr float kPrior = 2e-5F; ///< Likewise of the usual value.
-constexpr float kFadeRad = 1;   ///< Within about this angle from what is known planes fade.
+constexpr float kWeight = 30;    ///< Of a known value in a picture of that width, to ties of 1.
+constexpr float kPrior = 2e-5F;  ///< Likewise of the usual value.
+constexpr float kFadeRad = 0.5F; ///< Within about this angle from what is known planes fade.
 constexpr float kOverRelaxed = 1.5F;
 constexpr int kCoarsestWidth = 32;
 
@@ -42,6 +42,8 @@ struct Level {
           down(widthPx, heightPx),
           vectors(widthPx, heightPx),
           pull(widthPx, heightPx),
+          even(widthPx, heightPx),
+          evenPull(widthPx, heightPx),
           solve(static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(heightPx)) {
         for (int x = 0; x < width; ++x) {
             const double azimuth = std::numbers::pi - 2 * std::numbers::pi / width * (x + 0.5);
@@ -74,6 +76,8 @@ struct Level {
     Plane down;
     Image<float, 4> vectors;     ///< And how much is known about, from 0 to 1.
     Image<float, 4> pull;        ///< The sum of weight x value x direction, and of weight.
+    Plane even;                  ///< The value that changes least from pixel to pixel.
+    Plane evenPull;              ///< The sum of weight x value.
     std::vector<Matrix3f> solve; ///< First the sum of weight x direction x direction, then its inverse.
 };
 
@@ -224,6 +228,7 @@ class Completion {
                 level.solve[level.index(x, y)] = pull * ray * ray.transpose();
                 Eigen::Map<Vector3f>(level.pull.at(x, y)) = pull * *known.at(x, y) * ray;
                 level.pull.at(x, y)[3] = pull;
+                *level.evenPull.at(x, y) = pull * *known.at(x, y);
             }
         });
     }
@@ -238,6 +243,7 @@ class Completion {
                 for (int i = 0; i < 4; ++i) {
                     solve += fine.solve[fine.index(2 * x + i % 2, 2 * y + i / 2)];
                     pull += Eigen::Map<const Vector4f>(fine.pull.at(2 * x + i % 2, 2 * y + i / 2));
+                    *level.evenPull.at(x, y) += *fine.evenPull.at(2 * x + i % 2, 2 * y + i / 2);
                 }
                 for (int i = 0; i < 2; ++i) {
                     const int row = std::min(2 * y + 2, fine.height - 1);
@@ -261,8 +267,10 @@ class Completion {
                 Eigen::Map<Vector4f> vector(level.vectors.at(x, y));
                 if (k + 1 == m_levels.size()) {
                     vector = m_range.usual * level.ray(x, y);
+                    *level.even.at(x, y) = m_range.usual;
                 } else {
                     vector = Eigen::Map<const Vector4f>(m_levels[k + 1].vectors.at(x / 2, y / 2));
+                    *level.even.at(x, y) = *m_levels[k + 1].even.at(x / 2, y / 2);
                 }
             }
         });
@@ -291,25 +299,33 @@ class Completion {
     /// Solves every second pixel, as on a chess board, for given neighbours.
     void relax(Level& level, int colour) {
         const auto at = [&](int x, int y) { return Eigen::Map<Vector4f>(level.vectors.at(x, y)); };
+        const auto even = [&](int x, int y) -> float& { return *level.even.at(x, y); };
         forRows(level, [&](int y) {
             const RowShape shape(y, level.height);
-            const float usual = kPrior * perArea(level) * shape.cosine * m_range.usual;
+            const float prior = kPrior * perArea(level) * shape.cosine;
             const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(level.width);
             const float fade = shape.cosine * pixelRad * pixelRad / (kFadeRad * kFadeRad);
             for (int x = (y + colour) % 2; x < level.width; x += 2) {
                 const auto [left, right, above, below] = ties(level, shape, x, y);
+                const int onLeft = (x + level.width - 1) % level.width;
+                const int onRight = (x + 1) % level.width;
+                const int higher = std::max(0, y - 1);
+                const int lower = std::min(y + 1, level.height - 1);
                 const Eigen::Map<const Vector4f> own(level.pull.at(x, y));
                 Vector4f pull = own;
-                pull +=
-                    left * at((x + level.width - 1) % level.width, y) + right * at((x + 1) % level.width, y);
-                pull += above * at(x, std::max(0, y - 1)) + below * at(x, std::min(y + 1, level.height - 1));
-                pull += usual * level.ray(x, y);
+                pull += left * at(onLeft, y) + right * at(onRight, y);
+                pull += above * at(x, higher) + below * at(x, lower);
+                pull += prior * m_range.usual * level.ray(x, y);
                 const Matrix3f& solve = level.solve[level.index(x, y)];
                 const Vector3f vector =
                     solve.col(0) * pull[0] + solve.col(1) * pull[1] + solve.col(2) * pull[2];
-                const float isKnown = pull[3] / (own[3] + left + right + above + below + fade);
-                const Vector4f found(vector.x(), vector.y(), vector.z(), isKnown);
+                const float tied = own[3] + left + right + above + below;
+                const Vector4f found(vector.x(), vector.y(), vector.z(), pull[3] / (tied + fade));
                 at(x, y) += kOverRelaxed * (found - at(x, y));
+                const float evenPull = *level.evenPull.at(x, y) + left * even(onLeft, y) +
+                                       right * even(onRight, y) + above * even(x, higher) +
+                                       below * even(x, lower) + prior * m_range.usual;
+                even(x, y) += kOverRelaxed * (evenPull / (tied + prior) - even(x, y));
             }
         });
     }
@@ -321,8 +337,8 @@ class Completion {
             for (int x = 0; x < level.width; ++x) {
                 const Eigen::Map<const Vector4f> vector(level.vectors.at(x, y));
                 const float value = std::clamp(vector.dot(level.ray(x, y)), m_range.least, m_range.most);
-                *result.at(x, y) =
-                    m_range.usual + std::clamp(vector[3], 0.0F, 1.0F) * (value - m_range.usual);
+                const float even = std::clamp(*level.even.at(x, y), m_range.least, m_range.most);
+                *result.at(x, y) = even + std::clamp(vector[3], 0.0F, 1.0F) * (value - even);
             }
         });
         return result;

@@ -89,7 +89,7 @@ TEST(DepthRefinement, TakesOverWhatNeighboursKnow) {
     const PhotoDepth before = unknown();
     ASSERT_LT(shareRight(before, room.depths[0]), 0.1);
     const PhotoDepth refined = refinedDepth(room.photo(0, before), room.others());
-    EXPECT_GT(shareRight(refined, room.depths[0]), 0.5);
+    EXPECT_GT(shareRight(refined, room.depths[0]), 0.75);
     EXPECT_GT(std::count(refined.sure.values().begin(), refined.sure.values().end(), 255), 0);
 }
 

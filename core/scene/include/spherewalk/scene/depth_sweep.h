@@ -89,9 +89,9 @@ struct PosedDepth {
 /// The depth that neighbours confirm, and planes where they do not. A neighbour confirms what it gives the
 /// same distance to, within 1.5 % of 1 / distance plus 0.75 pixels of parallax. What is confirmed counts as
 /// much as exceeds chance: where neighbours contradict most of what lies about, or the poses are rough,
-/// nothing counts. Elsewhere planes are continued up to edges of the picture, and fade to a sphere far from
-/// all that is known. Small surfaces that stand by themselves are taken off. Of the result, a pixel is `sure`
-/// where it was confirmed and either evident in the sweep or on the plane of what lies about.
+/// nothing counts. Elsewhere planes are continued up to edges of the picture, and become even far from what
+/// is known: a sphere if nothing is. Small surfaces that stand by themselves are taken off. Of the result, a
+/// pixel is `sure` where it was confirmed and either evident in the sweep or on the plane of what lies about.
 PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads = 0);
 
@@ -104,9 +104,10 @@ struct KnownPhoto {
 /// A photo's depth, made better by what its neighbours know. What the neighbours are sure of is seen from the
 /// photo, and taken over where it fits the pictures better than the photo's own depth. Edges go where they
 /// fit best, by up to three pixels. A neighbour has no say where its own depth shows something nearer. Bare
-/// surfaces stay as they are, since pictures of them tell no distance. What is taken over is `sure`. Shape:
-/// all depths are of one width, a multiple of 4. Cost: half a second of one core with four neighbours.
-/// Errors: InvalidInput if sizes differ; Stopped.
+/// surfaces stay as they are, since pictures of them tell no distance. What is taken over is `sure`. At last
+/// planes are continued from all that is sure over what is not. Shape: all depths are of one width, a
+/// multiple of 4. Cost: half a second of one core with four neighbours. Errors: InvalidInput if sizes differ;
+/// Stopped.
 PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads = 0,
                         const std::stop_token& stop = {});
 
