@@ -43,7 +43,6 @@ struct Level {
           vectors(widthPx, heightPx),
           pull(widthPx, heightPx),
           even(widthPx, heightPx),
-          evenPull(widthPx, heightPx),
           solve(static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(heightPx)) {
         for (int x = 0; x < width; ++x) {
             const double azimuth = std::numbers::pi - 2 * std::numbers::pi / width * (x + 0.5);
@@ -77,7 +76,6 @@ struct Level {
     Image<float, 4> vectors;     ///< And how much is known about, from 0 to 1.
     Image<float, 4> pull;        ///< The sum of weight x value x direction, and of weight.
     Plane even;                  ///< The value that changes least from pixel to pixel.
-    Plane evenPull;              ///< The sum of weight x value.
     std::vector<Matrix3f> solve; ///< First the sum of weight x direction x direction, then its inverse.
 };
 
@@ -228,7 +226,6 @@ class Completion {
                 level.solve[level.index(x, y)] = pull * ray * ray.transpose();
                 Eigen::Map<Vector3f>(level.pull.at(x, y)) = pull * *known.at(x, y) * ray;
                 level.pull.at(x, y)[3] = pull;
-                *level.evenPull.at(x, y) = pull * *known.at(x, y);
             }
         });
     }
@@ -243,7 +240,6 @@ class Completion {
                 for (int i = 0; i < 4; ++i) {
                     solve += fine.solve[fine.index(2 * x + i % 2, 2 * y + i / 2)];
                     pull += Eigen::Map<const Vector4f>(fine.pull.at(2 * x + i % 2, 2 * y + i / 2));
-                    *level.evenPull.at(x, y) += *fine.evenPull.at(2 * x + i % 2, 2 * y + i / 2);
                 }
                 for (int i = 0; i < 2; ++i) {
                     const int row = std::min(2 * y + 2, fine.height - 1);
@@ -322,7 +318,7 @@ class Completion {
                 const float tied = own[3] + left + right + above + below;
                 const Vector4f found(vector.x(), vector.y(), vector.z(), pull[3] / (tied + fade));
                 at(x, y) += kOverRelaxed * (found - at(x, y));
-                const float evenPull = *level.evenPull.at(x, y) + left * even(onLeft, y) +
+                const float evenPull = own.dot(level.ray(x, y)) + left * even(onLeft, y) +
                                        right * even(onRight, y) + above * even(x, higher) +
                                        below * even(x, lower) + prior * m_range.usual;
                 even(x, y) += kOverRelaxed * (evenPull / (tied + prior) - even(x, y));

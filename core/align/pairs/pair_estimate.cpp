@@ -154,7 +154,7 @@ std::pair<double, int> keptOrder(const Bearings& bearings, const EpipolarFit& fi
 }
 
 bool keepsNoOrder(const Bearings& bearings, const EpipolarFit& fit) {
-    constexpr double kLeastKept = 0.9; // Real photos keep 0.98 and more, mirror images 0.3 to 0.8.
+    constexpr double kLeastKept = 0.9; // Real photos mostly keep 0.98 and more.
     constexpr int kLeastAsked = 20;
     const auto [share, asked] = keptOrder(bearings, fit);
     return asked >= kLeastAsked && share < kLeastKept;

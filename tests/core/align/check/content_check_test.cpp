@@ -143,6 +143,23 @@ void addTwins(int photo, FurnishedSurvey& survey) {
     }
 }
 
+/// Takes the other matches out of all pairs.
+template <class Keeps>
+void keepMatches(FurnishedSurvey& survey, const Keeps& keeps) {
+    for (std::size_t pair = 0; pair < survey.pairs.size(); ++pair) {
+        std::vector<Correspondence> matches;
+        std::vector<bool> isInlier;
+        for (std::size_t i = 0; i < survey.pairs[pair].matches.size(); ++i) {
+            if (keeps(survey.pairs[pair], survey.pairs[pair].matches[i])) {
+                matches.push_back(survey.pairs[pair].matches[i]);
+                isInlier.push_back(survey.isInlier[pair][i]);
+            }
+        }
+        survey.pairs[pair].matches = std::move(matches);
+        survey.isInlier[pair] = std::move(isInlier);
+    }
+}
+
 } // namespace
 
 TEST(ContentCheck, FindsTheOnePhotoInWhichAChairMoved) {
@@ -223,19 +240,9 @@ TEST(ContentCheck, MissesNothingWherePhotosWereNotSearched) {
         Random random(seed);
         FurnishedSurvey survey({}, random);
         survey.expose(random);
-        for (std::size_t pair = 0; pair < survey.pairs.size(); ++pair) {
-            std::vector<Correspondence> matches;
-            std::vector<bool> isInlier;
-            for (std::size_t i = 0; i < survey.pairs[pair].matches.size(); ++i) {
-                const Correspondence& match = survey.pairs[pair].matches[i];
-                if (isSearched(match.inA) && isSearched(match.inB)) {
-                    matches.push_back(match);
-                    isInlier.push_back(survey.isInlier[pair][i]);
-                }
-            }
-            survey.pairs[pair].matches = std::move(matches);
-            survey.isInlier[pair] = std::move(isInlier);
-        }
+        keepMatches(survey, [&](const PhotoPair& /*pair*/, const Correspondence& match) {
+            return isSearched(match.inA) && isSearched(match.inB);
+        });
         alarms += check(survey).size();
         const std::vector<ChangedContent> changes =
             changedContent(survey.roomFromPhoto, survey.pairs, survey.isInlier, {2, isSearched});
@@ -252,17 +259,9 @@ TEST(ContentCheck, MissesNothingThatAnotherLookDidNotFind) {
         Random random(seed);
         FurnishedSurvey survey({}, random);
         survey.expose(random);
-        for (std::size_t pair = 0; pair < survey.pairs.size(); ++pair) {
-            PhotoPair& own = survey.pairs[pair];
-            for (std::size_t i = own.matches.size(); i-- > 0 && (own.a == kPhoto || own.b == kPhoto);) {
-                const Eigen::Vector3d& bearing = own.a == kPhoto ? own.matches[i].inA : own.matches[i].inB;
-                if (bearing.x() > 0.8) {
-                    own.matches.erase(own.matches.begin() + static_cast<std::ptrdiff_t>(i));
-                    survey.isInlier[pair].erase(survey.isInlier[pair].begin() +
-                                                static_cast<std::ptrdiff_t>(i));
-                }
-            }
-        }
+        keepMatches(survey, [](const PhotoPair& pair, const Correspondence& match) {
+            return !(pair.a == kPhoto && match.inA.x() > 0.8) && !(pair.b == kPhoto && match.inB.x() > 0.8);
+        });
         alarms += photosOf(check(survey)).count(kPhoto);
         for (PhotoPair& pair : survey.pairs) {
             pair.look = pair.a == kPhoto || pair.b == kPhoto ? 1 : 0;
