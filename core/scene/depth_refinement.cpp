@@ -75,8 +75,8 @@ class Refinement {
         });
         takeOver(known);
         for (const int reach : {1, 2}) {
-            const Plane candidates[] = {about(reach, [](float a, float b) { return std::min(a, b); }),
-                                        about(reach, [](float a, float b) { return std::max(a, b); })};
+            const Plane candidates[] = {leastOfCross(m_depth.inverseM, reach, m_threads),
+                                        mostOfCross(m_depth.inverseM, reach, m_threads)};
             takeBetter(candidates, [](std::size_t) {});
         }
         dropSpecks(*photo.depth);
@@ -172,27 +172,6 @@ class Refinement {
             }
         }
         takeBetter(known, [&](std::size_t i) { m_depth.sure.values()[i] = 255; });
-    }
-
-    /// The nearest or the farthest of the distances at a pixel and so far from it.
-    template <class Choose>
-    Plane about(int reach, const Choose& choose) const {
-        const Plane& last = m_depth.inverseM;
-        const int width = last.width();
-        Plane candidate = last;
-        parallelFor(last.height(), 32, m_threads, [&](int begin, int end) {
-            for (int y = begin; y < end; ++y) {
-                const float* here = last.at(0, y);
-                const float* above = last.at(0, std::max(0, y - reach));
-                const float* below = last.at(0, std::min(y + reach, last.height() - 1));
-                float* out = candidate.at(0, y);
-                for (int x = 0; x < width; ++x) {
-                    const float beside = choose(here[(x + width - reach) % width], here[(x + reach) % width]);
-                    out[x] = choose(choose(here[x], beside), choose(above[x], below[x]));
-                }
-            }
-        });
-        return candidate;
     }
 
     int m_threads;

@@ -173,8 +173,8 @@ class Sweep {
             }
             for (int y = begin; y < end; ++y) {
                 for (int x = 0; x < cost.width(); x += kPixelsAtATime) {
-                    cost.at({y, x, x + kPixelsAtATime}, volume.distances, inverse.data(), scratch,
-                            costs.data());
+                    cost.at({y, x, x + kPixelsAtATime}, volume.distances, inverse.data(),
+                            SweepCost::Order::BySteps, scratch, costs.data());
                     enter(costs, volume.distances, volume.at(x, y));
                 }
             }

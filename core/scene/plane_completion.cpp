@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plane_filters.h"
+#include "vector_math.h"
 
 #include "spherewalk/base/parallel.h"
 
@@ -14,10 +15,8 @@
 
 namespace spherewalk::scene {
 
-using Eigen::Matrix3f;
-using Eigen::Vector2f;
+using Eigen::Matrix3d;
 using Eigen::Vector3f;
-using Eigen::Vector4f;
 
 namespace {
 
@@ -33,50 +32,73 @@ constexpr float kFadeRad = 0.5F; ///< Within about this angle from what is known
 constexpr float kOverRelaxed = 1.5F;
 constexpr int kCoarsestWidth = 32;
 
+/// One number a pixel. In a row the pixels of even columns come first, then those of odd ones. Of one half of
+/// each row, if halves take turns from row to row, no pixel is beside another: all can be solved at once.
+class Halves {
+  public:
+    Halves() = default;
+
+    Halves(int width, int height) : m_values(width, height) {}
+
+    float& at(int x, int y) { return half(x % 2, y)[x / 2]; }
+
+    float at(int x, int y) const { return half(x % 2, y)[x / 2]; }
+
+    /// The pixels of even (0) or of odd columns (1).
+    float* half(int which, int y) { return m_values.at(which * (m_values.width() / 2), y); }
+
+    const float* half(int which, int y) const { return m_values.at(which * (m_values.width() / 2), y); }
+
+  private:
+    Plane m_values;
+};
+
+/// What is solved for at each pixel: the three numbers of a plane's vector, and these.
+constexpr std::size_t kShareKnown = 3; ///< How much is known about, from 0 to 1.
+constexpr std::size_t kEven = 4;       ///< The value that changes least from pixel to pixel.
+constexpr std::size_t kSolved = 5;
+
 /// One size of the problem.
 struct Level {
     Level(int widthPx, int heightPx)
         : width(widthPx),
           height(heightPx),
+          cosAzimuth(widthPx, 1),
+          sinAzimuth(widthPx, 1),
           right(widthPx, heightPx),
-          down(widthPx, heightPx),
-          vectors(widthPx, heightPx),
-          pull(widthPx, heightPx),
-          even(widthPx, heightPx),
-          solve(static_cast<std::size_t>(widthPx) * static_cast<std::size_t>(heightPx)) {
+          down(widthPx, heightPx) {
+        const PixelAngles angles(width);
         for (int x = 0; x < width; ++x) {
-            const double azimuth = std::numbers::pi - 2 * std::numbers::pi / width * (x + 0.5);
-            headings.emplace_back(static_cast<float>(std::cos(azimuth)),
-                                  static_cast<float>(std::sin(azimuth)));
+            cosAzimuth.at(x, 0) = angles.cosAzimuth[static_cast<std::size_t>(x)];
+            sinAzimuth.at(x, 0) = angles.sinAzimuth[static_cast<std::size_t>(x)];
         }
-        for (int y = 0; y < height; ++y) {
-            const double elevation = std::numbers::pi / 2 - std::numbers::pi / height * (y + 0.5);
-            rises.emplace_back(static_cast<float>(std::cos(elevation)),
-                               static_cast<float>(std::sin(elevation)));
-        }
+        cosElevation = angles.cosElevation;
+        sinElevation = angles.sinElevation;
+        found.fill(right);
+        pull.fill(right);
+        solve.fill(right);
     }
 
-    /// The direction of a pixel, and 0.
-    Vector4f ray(int x, int y) const {
-        const Vector2f heading = headings[static_cast<std::size_t>(x)];
-        const Vector2f rise = rises[static_cast<std::size_t>(y)];
-        return {rise.x() * heading.x(), rise.x() * heading.y(), rise.y(), 0};
-    }
-
-    std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    /// The direction of a pixel.
+    Vector3f ray(int x, int y) const {
+        const float cosine = cosElevation[static_cast<std::size_t>(y)];
+        return {cosine * cosAzimuth.at(x, 0), cosine * sinAzimuth.at(x, 0),
+                sinElevation[static_cast<std::size_t>(y)]};
     }
 
     int width;
     int height;
-    std::vector<Vector2f> headings; ///< Cosine and sine of each column's azimuth.
-    std::vector<Vector2f> rises;    ///< Cosine and sine of each row's elevation.
-    Plane right;                    ///< How firmly a pixel is tied to the one on its right, from 0 to 1.
-    Plane down;
-    Image<float, 4> vectors;     ///< And how much is known about, from 0 to 1.
-    Image<float, 4> pull;        ///< The sum of weight x value x direction, and of weight.
-    Plane even;                  ///< The value that changes least from pixel to pixel.
-    std::vector<Matrix3f> solve; ///< First the sum of weight x direction x direction, then its inverse.
+    Halves cosAzimuth;
+    Halves sinAzimuth;
+    std::vector<float> cosElevation;
+    std::vector<float> sinElevation;
+    Halves right; ///< How firmly a pixel is tied to the one on its right, from 0 to 1.
+    Halves down;
+    std::array<Halves, kSolved> found;
+    std::array<Halves, 4> pull; ///< The sum of weight x value x direction, and of weight.
+    /// First the sum of weight x direction x direction, then the inverse of what is to be solved. A symmetric
+    /// matrix: its upper triangle, row by row.
+    std::array<Halves, 6> solve;
 };
 
 /// How a row's pixels are tied to those beside and below, by their shape on the sphere.
@@ -84,8 +106,8 @@ struct RowShape {
     RowShape(int y, int height)
         : cosine(cosineAt(y + 0.5, height)),
           across(1 / std::max(kLeastCosine, cosine)),
-          above(std::max(kLeastCosine, cosineAt(y, height))),
-          below(std::max(kLeastCosine, cosineAt(y + 1, height))) {}
+          above(y > 0 ? std::max(kLeastCosine, cosineAt(y, height)) : 0),
+          below(y + 1 < height ? std::max(kLeastCosine, cosineAt(y + 1, height)) : 0) {}
 
     static float cosineAt(double row, int height) {
         return static_cast<float>(std::max(0.0, std::sin(std::numbers::pi * row / height)));
@@ -123,20 +145,7 @@ Plane farthestAbout(const Plane& known, const Plane& weight, int threads) {
         plane.values()[i] = weight.values()[i] > 0 ? known.values()[i] : HUGE_VALF;
     }
     for (int reach = 1; 2 * reach <= kBehind * known.width() / kWidthOfReach; reach *= 2) {
-        Plane last = plane;
-        parallelFor(plane.height(), 16, threads, [&](int begin, int end) {
-            for (int y = begin; y < end; ++y) {
-                const float* above = last.at(0, std::max(0, y - reach));
-                const float* below = last.at(0, std::min(y + reach, plane.height() - 1));
-                const float* here = last.at(0, y);
-                float* out = plane.at(0, y);
-                for (int x = 0; x < plane.width(); ++x) {
-                    const int left = x < reach ? x - reach + plane.width() : x - reach;
-                    const int right = x + reach < plane.width() ? x + reach : x + reach - plane.width();
-                    out[x] = std::min({here[x], above[x], below[x], here[left], here[right]});
-                }
-            }
-        });
+        plane = leastOfCross(plane, reach, threads);
     }
     return plane;
 }
@@ -144,6 +153,58 @@ Plane farthestAbout(const Plane& known, const Plane& weight, int threads) {
 /// Ties in line: half of the first, all of the middle one, half of the last.
 float inLine(float first, float middle, float last) {
     return 2 / (0.5F / first + 1 / middle + 0.5F / last);
+}
+
+/// Some pixels of a half row that are solved, and what this takes. Arrays have a value a pixel.
+struct Strip {
+    using Values = std::array<const float*, kSolved>;
+
+    Values left; ///< Of the pixels beside.
+    Values right;
+    Values above;
+    Values below;
+    std::array<const float*, 4> ties; ///< To those beside, in this order,
+    std::array<float, 4> shape;       ///< and what they are multiplied by.
+    std::array<const float*, 4> pull;
+    std::array<const float*, 6> solve;
+    const float* cosAzimuth;
+    const float* sinAzimuth;
+    float cosElevation;
+    float sinElevation;
+    float prior;
+    float usual;
+    float fade;
+};
+
+/// Solves pixels for given ones beside.
+SPHEREWALK_VECTOR_CLONES
+void relaxStrip(const Strip& strip, int count, float* __restrict vectorX, float* __restrict vectorY,
+                float* __restrict vectorZ, float* __restrict share, float* __restrict even) {
+    const Strip s = strip; // No store can change the copy.
+    for (int i = 0; i < count; ++i) {
+        const float left = s.shape[0] * s.ties[0][i];
+        const float right = s.shape[1] * s.ties[1][i];
+        const float above = s.shape[2] * s.ties[2][i];
+        const float below = s.shape[3] * s.ties[3][i];
+        const auto beside = [&](std::size_t k) __attribute__((always_inline)) {
+            return left * s.left[k][i] + right * s.right[k][i] +
+                   (above * s.above[k][i] + below * s.below[k][i]);
+        };
+        const float rayX = s.cosElevation * s.cosAzimuth[i];
+        const float rayY = s.cosElevation * s.sinAzimuth[i];
+        const float rayZ = s.sinElevation;
+        const float prior = s.prior * s.usual;
+        const float x = s.pull[0][i] + beside(0) + prior * rayX;
+        const float y = s.pull[1][i] + beside(1) + prior * rayY;
+        const float z = s.pull[2][i] + beside(2) + prior * rayZ;
+        vectorX[i] += kOverRelaxed * (s.solve[0][i] * x + s.solve[1][i] * y + s.solve[2][i] * z - vectorX[i]);
+        vectorY[i] += kOverRelaxed * (s.solve[1][i] * x + s.solve[3][i] * y + s.solve[4][i] * z - vectorY[i]);
+        vectorZ[i] += kOverRelaxed * (s.solve[2][i] * x + s.solve[4][i] * y + s.solve[5][i] * z - vectorZ[i]);
+        const float tied = s.pull[3][i] + left + right + above + below;
+        share[i] += kOverRelaxed * ((s.pull[3][i] + beside(kShareKnown)) / (tied + s.fade) - share[i]);
+        const float known = s.pull[0][i] * rayX + s.pull[1][i] * rayY + s.pull[2][i] * rayZ;
+        even[i] += kOverRelaxed * ((known + beside(kEven) + prior) / (tied + s.prior) - even[i]);
+    }
 }
 
 class Completion {
@@ -190,8 +251,8 @@ class Completion {
         Level& level = m_levels.front();
         forRows(level, [&](int y) {
             for (int x = 0; x < level.width; ++x) {
-                *level.right.at(x, y) = tieOf(picture, x, y, (x + 1) % level.width, y);
-                *level.down.at(x, y) = tieOf(picture, x, y, x, std::min(y + 1, level.height - 1));
+                level.right.at(x, y) = tieOf(picture, x, y, (x + 1) % level.width, y);
+                level.down.at(x, y) = tieOf(picture, x, y, x, std::min(y + 1, level.height - 1));
             }
         });
     }
@@ -201,17 +262,18 @@ class Completion {
     void tieBehind(const Plane& known, const Plane& weight) {
         Level& level = m_levels.front();
         const Plane farthest = farthestAbout(known, weight, m_threads);
-        const auto isNearer = [&](std::size_t a, std::size_t b) {
-            return weight.values()[a] > 0 && weight.values()[b] <= 0 &&
-                   known.values()[a] > kNearer * farthest.values()[b];
+        const auto isHidden = [&](int x, int y, int byX, int byY) {
+            return *weight.at(byX, byY) > 0 && *weight.at(x, y) <= 0 &&
+                   *known.at(byX, byY) > kNearer * *farthest.at(x, y);
         };
         forRows(level, [&](int y) {
             for (int x = 0; x < level.width; ++x) {
-                const std::size_t here = level.index(x, y);
-                const std::size_t beside = level.index((x + 1) % level.width, y);
-                const std::size_t below = level.index(x, std::min(y + 1, level.height - 1));
-                *level.right.at(x, y) *= isNearer(here, beside) || isNearer(beside, here) ? kTieToNearer : 1;
-                *level.down.at(x, y) *= isNearer(here, below) || isNearer(below, here) ? kTieToNearer : 1;
+                const int beside = (x + 1) % level.width;
+                const int below = std::min(y + 1, level.height - 1);
+                level.right.at(x, y) *=
+                    isHidden(x, y, beside, y) || isHidden(beside, y, x, y) ? kTieToNearer : 1;
+                level.down.at(x, y) *=
+                    isHidden(x, y, x, below) || isHidden(x, below, x, y) ? kTieToNearer : 1;
             }
         });
     }
@@ -221,34 +283,42 @@ class Completion {
         forRows(level, [&](int y) {
             const float area = RowShape(y, level.height).cosine * kWeight * perArea(level);
             for (int x = 0; x < level.width; ++x) {
-                const Vector3f ray(level.ray(x, y).data());
+                const Vector3f ray = level.ray(x, y);
                 const float pull = area * *weight.at(x, y);
-                level.solve[level.index(x, y)] = pull * ray * ray.transpose();
-                Eigen::Map<Vector3f>(level.pull.at(x, y)) = pull * *known.at(x, y) * ray;
-                level.pull.at(x, y)[3] = pull;
+                std::size_t at = 0;
+                for (int i = 0; i < 3; ++i) {
+                    level.pull[static_cast<std::size_t>(i)].at(x, y) = pull * *known.at(x, y) * ray[i];
+                    for (int j = i; j < 3; ++j) {
+                        level.solve[at++].at(x, y) = pull * ray[i] * ray[j];
+                    }
+                }
+                level.pull[3].at(x, y) = pull;
             }
         });
     }
 
     Level coarser(const Level& fine) const {
         Level level(fine.width / 2, fine.height / 2);
+        const auto sum = [&](const Halves& of, int x, int y) {
+            return of.at(2 * x, 2 * y) + of.at(2 * x + 1, 2 * y) + of.at(2 * x, 2 * y + 1) +
+                   of.at(2 * x + 1, 2 * y + 1);
+        };
         forRows(level, [&](int y) {
+            const int row = std::min(2 * y + 2, fine.height - 1);
             for (int x = 0; x < level.width; ++x) {
-                Matrix3f& solve = level.solve[level.index(x, y)];
-                solve.setZero();
-                Eigen::Map<Vector4f> pull(level.pull.at(x, y));
-                for (int i = 0; i < 4; ++i) {
-                    solve += fine.solve[fine.index(2 * x + i % 2, 2 * y + i / 2)];
-                    pull += Eigen::Map<const Vector4f>(fine.pull.at(2 * x + i % 2, 2 * y + i / 2));
+                for (std::size_t i = 0; i < level.solve.size(); ++i) {
+                    level.solve[i].at(x, y) = sum(fine.solve[i], x, y);
+                }
+                for (std::size_t i = 0; i < level.pull.size(); ++i) {
+                    level.pull[i].at(x, y) = sum(fine.pull[i], x, y);
                 }
                 for (int i = 0; i < 2; ++i) {
-                    const int row = std::min(2 * y + 2, fine.height - 1);
-                    *level.right.at(x, y) +=
-                        0.5F * inLine(*fine.right.at(2 * x, 2 * y + i), *fine.right.at(2 * x + 1, 2 * y + i),
-                                      *fine.right.at((2 * x + 2) % fine.width, 2 * y + i));
-                    *level.down.at(x, y) +=
-                        0.5F * inLine(*fine.down.at(2 * x + i, 2 * y), *fine.down.at(2 * x + i, 2 * y + 1),
-                                      *fine.down.at(2 * x + i, row));
+                    level.right.at(x, y) +=
+                        0.5F * inLine(fine.right.at(2 * x, 2 * y + i), fine.right.at(2 * x + 1, 2 * y + i),
+                                      fine.right.at((2 * x + 2) % fine.width, 2 * y + i));
+                    level.down.at(x, y) +=
+                        0.5F * inLine(fine.down.at(2 * x + i, 2 * y), fine.down.at(2 * x + i, 2 * y + 1),
+                                      fine.down.at(2 * x + i, row));
                 }
             }
         });
@@ -260,23 +330,19 @@ class Completion {
         Level& level = m_levels[k];
         forRows(level, [&](int y) {
             for (int x = 0; x < level.width; ++x) {
-                Eigen::Map<Vector4f> vector(level.vectors.at(x, y));
-                if (k + 1 == m_levels.size()) {
-                    vector = m_range.usual * level.ray(x, y);
-                    *level.even.at(x, y) = m_range.usual;
+                if (k + 1 < m_levels.size()) {
+                    for (std::size_t i = 0; i < kSolved; ++i) {
+                        level.found[i].at(x, y) = m_levels[k + 1].found[i].at(x / 2, y / 2);
+                    }
                 } else {
-                    vector = Eigen::Map<const Vector4f>(m_levels[k + 1].vectors.at(x / 2, y / 2));
-                    *level.even.at(x, y) = *m_levels[k + 1].even.at(x / 2, y / 2);
+                    const Vector3f vector = m_range.usual * level.ray(x, y);
+                    for (std::size_t i = 0; i < 3; ++i) {
+                        level.found[i].at(x, y) = vector[static_cast<int>(i)];
+                    }
+                    level.found[kEven].at(x, y) = m_range.usual;
                 }
             }
         });
-    }
-
-    /// The ties of a pixel to those on its left and right, above and below.
-    static std::array<float, 4> ties(const Level& level, const RowShape& shape, int x, int y) {
-        return {shape.across * *level.right.at((x + level.width - 1) % level.width, y),
-                shape.across * *level.right.at(x, y), y > 0 ? shape.above * *level.down.at(x, y - 1) : 0,
-                y + 1 < level.height ? shape.below * *level.down.at(x, y) : 0};
     }
 
     void invert(Level& level) {
@@ -284,57 +350,86 @@ class Completion {
             const RowShape shape(y, level.height);
             const float area = kPrior * perArea(level) * shape.cosine;
             for (int x = 0; x < level.width; ++x) {
-                const auto [left, right, above, below] = ties(level, shape, x, y);
-                Matrix3f& solve = level.solve[level.index(x, y)];
-                solve.diagonal().array() += left + right + above + below + area;
-                solve = solve.cast<double>().inverse().cast<float>().eval();
+                const int left = (x + level.width - 1) % level.width;
+                const float tied = shape.across * (level.right.at(left, y) + level.right.at(x, y)) +
+                                   shape.above * level.down.at(x, std::max(0, y - 1)) +
+                                   shape.below * level.down.at(x, y);
+                Matrix3d solve;
+                std::size_t at = 0;
+                for (int i = 0; i < 3; ++i) {
+                    for (int j = i; j < 3; ++j) {
+                        solve(i, j) = solve(j, i) =
+                            static_cast<double>(level.solve[at++].at(x, y) + (i == j ? tied + area : 0));
+                    }
+                }
+                solve = solve.inverse().eval();
+                at = 0;
+                for (int i = 0; i < 3; ++i) {
+                    for (int j = i; j < 3; ++j) {
+                        level.solve[at++].at(x, y) = static_cast<float>(solve(i, j));
+                    }
+                }
             }
         });
     }
 
     /// Solves every second pixel, as on a chess board, for given neighbours.
     void relax(Level& level, int colour) {
-        const auto at = [&](int x, int y) { return Eigen::Map<Vector4f>(level.vectors.at(x, y)); };
-        const auto even = [&](int x, int y) -> float& { return *level.even.at(x, y); };
         forRows(level, [&](int y) {
-            const RowShape shape(y, level.height);
-            const float prior = kPrior * perArea(level) * shape.cosine;
-            const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(level.width);
-            const float fade = shape.cosine * pixelRad * pixelRad / (kFadeRad * kFadeRad);
-            for (int x = (y + colour) % 2; x < level.width; x += 2) {
-                const auto [left, right, above, below] = ties(level, shape, x, y);
-                const int onLeft = (x + level.width - 1) % level.width;
-                const int onRight = (x + 1) % level.width;
-                const int higher = std::max(0, y - 1);
-                const int lower = std::min(y + 1, level.height - 1);
-                const Eigen::Map<const Vector4f> own(level.pull.at(x, y));
-                Vector4f pull = own;
-                pull += left * at(onLeft, y) + right * at(onRight, y);
-                pull += above * at(x, higher) + below * at(x, lower);
-                pull += prior * m_range.usual * level.ray(x, y);
-                const Matrix3f& solve = level.solve[level.index(x, y)];
-                const Vector3f vector =
-                    solve.col(0) * pull[0] + solve.col(1) * pull[1] + solve.col(2) * pull[2];
-                const float tied = own[3] + left + right + above + below;
-                const Vector4f found(vector.x(), vector.y(), vector.z(), pull[3] / (tied + fade));
-                at(x, y) += kOverRelaxed * (found - at(x, y));
-                const float evenPull = own.dot(level.ray(x, y)) + left * even(onLeft, y) +
-                                       right * even(onRight, y) + above * even(x, higher) +
-                                       below * even(x, lower) + prior * m_range.usual;
-                even(x, y) += kOverRelaxed * (evenPull / (tied + prior) - even(x, y));
-            }
+            const int which = (y + colour) % 2;
+            const int count = level.width / 2;
+            // The first even pixel and the last odd one are beside each other, round the seam.
+            relax(level, y, which, which == 0 ? 1 : 0, count - 1, 0, 1);
+            relax(level, y, which, which == 0 ? 0 : count - 1, 1, count - 1, 0);
         });
+    }
+
+    template <std::size_t kCount>
+    static std::array<const float*, kCount> from(const std::array<Halves, kCount>& planes, int which, int y,
+                                                 int first) {
+        std::array<const float*, kCount> result;
+        std::transform(planes.begin(), planes.end(), result.begin(),
+                       [&](const Halves& plane) { return plane.half(which, y) + first; });
+        return result;
+    }
+
+    /// Solves pixels of a half row. left, right: where those beside the first one are in the other half.
+    void relax(Level& level, int y, int which, int first, int count, int left, int right) {
+        const RowShape shape(y, level.height);
+        const int above = y > 0 ? y - 1 : 1;
+        const int below = y + 1 < level.height ? y + 1 : y - 1;
+        const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(level.width);
+        const auto found = [&](std::size_t k) { return level.found[k].half(which, y) + first; };
+        const Strip strip{.left = from(level.found, 1 - which, y, left),
+                          .right = from(level.found, 1 - which, y, right),
+                          .above = from(level.found, which, above, first),
+                          .below = from(level.found, which, below, first),
+                          .ties = {level.right.half(1 - which, y) + left, level.right.half(which, y) + first,
+                                   level.down.half(which, above) + first, level.down.half(which, y) + first},
+                          .shape = {shape.across, shape.across, shape.above, shape.below},
+                          .pull = from(level.pull, which, y, first),
+                          .solve = from(level.solve, which, y, first),
+                          .cosAzimuth = level.cosAzimuth.half(which, 0) + first,
+                          .sinAzimuth = level.sinAzimuth.half(which, 0) + first,
+                          .cosElevation = level.cosElevation[static_cast<std::size_t>(y)],
+                          .sinElevation = level.sinElevation[static_cast<std::size_t>(y)],
+                          .prior = kPrior * perArea(level) * shape.cosine,
+                          .usual = m_range.usual,
+                          .fade = shape.cosine * pixelRad * pixelRad / (kFadeRad * kFadeRad)};
+        relaxStrip(strip, count, found(0), found(1), found(2), found(kShareKnown), found(kEven));
     }
 
     Plane values() const {
         const Level& level = m_levels.front();
         Plane result(level.width, level.height);
+        const auto within = [&](float value) { return std::clamp(value, m_range.least, m_range.most); };
         forRows(level, [&](int y) {
             for (int x = 0; x < level.width; ++x) {
-                const Eigen::Map<const Vector4f> vector(level.vectors.at(x, y));
-                const float value = std::clamp(vector.dot(level.ray(x, y)), m_range.least, m_range.most);
-                const float even = std::clamp(*level.even.at(x, y), m_range.least, m_range.most);
-                *result.at(x, y) = even + std::clamp(vector[3], 0.0F, 1.0F) * (value - even);
+                const Vector3f vector(level.found[0].at(x, y), level.found[1].at(x, y),
+                                      level.found[2].at(x, y));
+                const float even = within(level.found[kEven].at(x, y));
+                const float share = std::clamp(level.found[kShareKnown].at(x, y), 0.0F, 1.0F);
+                *result.at(x, y) = even + share * (within(vector.dot(level.ray(x, y))) - even);
             }
         });
         return result;

@@ -163,6 +163,42 @@ Plane median3x3(const Plane& plane, int threads) {
 
 namespace {
 
+template <class Choose>
+Plane chosenOfCross(const Plane& plane, int reach, int threads, const Choose& choose) {
+    Plane result(plane.width(), plane.height());
+    const int width = plane.width();
+    parallelFor(plane.height(), 16, threads, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            const float* here = plane.at(0, y);
+            const float* above = plane.at(0, std::max(0, y - reach));
+            const float* below = plane.at(0, std::min(y + reach, plane.height() - 1));
+            float* __restrict out = result.at(0, y);
+            const auto choosePart = [&](int from, int to, int left, int right) {
+                for (int x = from; x < to; ++x) {
+                    out[x] = choose(choose(here[x], choose(here[x + left], here[x + right])),
+                                    choose(above[x], below[x]));
+                }
+            };
+            choosePart(0, std::min(reach, width - reach), width - reach, reach);
+            choosePart(reach, width - reach, -reach, reach);
+            choosePart(std::max(reach, width - reach), width, -reach, reach - width);
+        }
+    });
+    return result;
+}
+
+} // namespace
+
+Plane leastOfCross(const Plane& plane, int reach, int threads) {
+    return chosenOfCross(plane, reach, threads, [](float a, float b) { return a < b ? a : b; });
+}
+
+Plane mostOfCross(const Plane& plane, int reach, int threads) {
+    return chosenOfCross(plane, reach, threads, [](float a, float b) { return a < b ? b : a; });
+}
+
+namespace {
+
 constexpr int kRadius = 3;
 constexpr float kSameSurface = 0.02F;
 constexpr float kFewestInPlane = 6;

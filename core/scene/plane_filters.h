@@ -33,6 +33,13 @@ class GuidedFilter {
 /// The median of the 3 x 3 pixels around each pixel of an equirectangular plane.
 Plane median3x3(const Plane& plane, int threads);
 
+/// The least of each value and of the four so many pixels from it along its row and its column of an
+/// equirectangular plane. Range: reach at most half of the width.
+Plane leastOfCross(const Plane& plane, int reach, int threads);
+
+/// The same with the greatest value.
+Plane mostOfCross(const Plane& plane, int reach, int threads);
+
 /// Replaces each value by the value of a plane fitted to the pixels around that belong to the same surface.
 /// Where a surface is flat, 1 / distance is about linear in the picture. Values that differ by more than two
 /// percent (more at farther pixels) lie on another surface. threads: the result is the same for any number.

@@ -30,35 +30,63 @@ struct RowPlaces {
 };
 
 template <bool kAreOne>
-inline __attribute__((always_inline)) void findPlacesOf(const RowRays& rays, const float* inverseM,
-                                                        const LensNumbers& lenses, int count, int width,
-                                                        int stride, const RowPlaces& places) {
+inline __attribute__((always_inline)) void locateFrom(const RowRays& rays, const float* inverseM,
+                                                      const LensNumbers& lenses, int count, int width,
+                                                      float* __restrict u, float* __restrict v) {
     const LensNumbers numbers = lenses; // No store can change the copies.
     const RowRays r = rays;
-    std::int32_t* __restrict first = places.first;
-    float* __restrict right = places.right;
-    float* __restrict down = places.down;
     for (int i = 0; i < count; ++i) {
         const LensNumbers::Sight to = numbers.sight<kAreOne>(
             r.cosElevation * r.cosAzimuth[i], r.cosElevation * r.sinAzimuth[i], r.sinElevation, inverseM[i]);
         const FastPixel at = fastPixel(to.x, to.y, to.z, static_cast<float>(width));
-        const int column = std::min(static_cast<int>(at.u), width - 1);
-        const int line = std::min(static_cast<int>(at.v), width / 2 - 1);
-        first[i] = line * stride + 4 * column;
-        right[i] = at.u - static_cast<float>(column);
-        down[i] = at.v - static_cast<float>(line);
+        u[i] = at.u;
+        v[i] = at.v;
     }
 }
 
 /// Where a neighbour of this width shows a row's pixels.
 SPHEREWALK_VECTOR_CLONES
-void findPlaces(const RowRays& rays, const float* inverseM, const NeighbourLenses& lenses, int count,
-                int width, int stride, const RowPlaces& places) {
+void locate(const RowRays& rays, const float* inverseM, const NeighbourLenses& lenses, int count, int width,
+            float* u, float* v) {
     const LensNumbers numbers(lenses);
     if (numbers.areOne()) {
-        findPlacesOf<true>(rays, inverseM, numbers, count, width, stride, places);
+        locateFrom<true>(rays, inverseM, numbers, count, width, u, v);
     } else {
-        findPlacesOf<false>(rays, inverseM, numbers, count, width, stride, places);
+        locateFrom<false>(rays, inverseM, numbers, count, width, u, v);
+    }
+}
+
+/// Where a neighbour shows things between two distances, if it shows those at (u, v) and (endU, endV). False
+/// if one moves by more than a few pixels across: it passes a pole, and its place is wrong.
+SPHEREWALK_VECTOR_CLONES
+bool locateBetween(const float* u, const float* v, const float* endU, const float* endV, float share,
+                   int count, int width, float* __restrict betweenU, float* __restrict betweenV) {
+    constexpr float kMostPx = 4;
+    const auto turn = static_cast<float>(width);
+    std::int32_t isFar = 0;
+    for (int i = 0; i < count; ++i) {
+        const float across = endU[i] - u[i];
+        const float back = across > 0.5F * turn ? turn : across < -0.5F * turn ? -turn : 0.0F;
+        const float shorter = across - back;
+        const float at = u[i] + share * shorter;
+        betweenU[i] = at < 0 ? at + turn : at >= turn ? at - turn : at;
+        betweenV[i] = v[i] + share * (endV[i] - v[i]);
+        isFar |= static_cast<std::int32_t>(shorter > kMostPx) | static_cast<std::int32_t>(shorter < -kMostPx);
+    }
+    return isFar == 0;
+}
+
+SPHEREWALK_VECTOR_CLONES
+void findPlaces(const float* u, const float* v, int count, int width, int stride, const RowPlaces& places) {
+    std::int32_t* __restrict first = places.first;
+    float* __restrict right = places.right;
+    float* __restrict down = places.down;
+    for (int i = 0; i < count; ++i) {
+        const int column = std::min(static_cast<int>(u[i]), width - 1);
+        const int line = std::min(static_cast<int>(v[i]), width / 2 - 1);
+        first[i] = line * stride + 4 * column;
+        right[i] = u[i] - static_cast<float>(column);
+        down[i] = v[i] - static_cast<float>(line);
     }
 }
 
@@ -229,7 +257,9 @@ SweepCost::SweepCost(const PosedPicture& photo, std::span<const PosedPicture> ne
 }
 
 SweepCost::Scratch::Scratch(const SweepCost& cost, int values)
-    : m_first(static_cast<std::size_t>(values)),
+    : m_u(static_cast<std::size_t>(values)),
+      m_v(m_u.size()),
+      m_first(m_u.size()),
       m_right(m_first.size()),
       m_down(m_first.size()),
       m_costs(cost.m_neighbours.size(), std::vector<float>(m_first.size())),
@@ -238,21 +268,51 @@ SweepCost::Scratch::Scratch(const SweepCost& cost, int values)
       m_expected(m_first.size()) {
 }
 
-void SweepCost::neighbourCosts(const Neighbour& neighbour, const RowPart& part, const float* inverseM,
-                               Scratch& scratch, float* hidden, float* costs) const {
+void SweepCost::locateLayers(const Neighbour& neighbour, const RowPart& part, int layers,
+                             const float* inverseM, int exactEvery, Scratch& scratch) const {
     const auto row = static_cast<std::size_t>(part.y);
     const RowRays rays{m_angles.cosAzimuth.data() + part.begin, m_angles.sinAzimuth.data() + part.begin,
                        m_angles.cosElevation[row], m_angles.sinElevation[row]};
+    const int count = part.count();
+    float* u = scratch.m_u.data();
+    float* v = scratch.m_v.data();
+    const auto exactly = [&](int layer) {
+        const int at = layer * count;
+        locate(rays, inverseM + at, neighbour.lenses, count, width(), u + at, v + at);
+    };
+    exactly(0);
+    for (int begin = 0, end = 0; begin + 1 < layers; begin = end) {
+        end = std::min(begin + exactEvery, layers - 1);
+        exactly(end);
+        for (int layer = begin + 1; layer < end; ++layer) {
+            const float share = static_cast<float>(layer - begin) / static_cast<float>(end - begin);
+            const int at = layer * count;
+            if (!locateBetween(u + begin * count, v + begin * count, u + end * count, v + end * count, share,
+                               count, width(), u + at, v + at)) {
+                exactly(layer);
+            }
+        }
+    }
+}
+
+void SweepCost::neighbourCosts(const Neighbour& neighbour, const RowPart& part, int layer,
+                               const float* inverseM, Scratch& scratch, float* hidden, float* costs) const {
+    const auto row = static_cast<std::size_t>(part.y);
     const RowPlaces places{scratch.m_first.data(), scratch.m_right.data(), scratch.m_down.data()};
     const int stride = neighbour.picture.stride();
-    findPlaces(rays, inverseM, neighbour.lenses, part.count(), width(), stride, places);
-    costsAt(places, m_photo.at(part.begin, part.y), neighbour.picture.at(0, 0), stride, part.count(), costs);
+    const int first = layer * part.count();
+    findPlaces(scratch.m_u.data() + first, scratch.m_v.data() + first, part.count(), width(), stride, places);
+    costsAt(places, m_photo.at(part.begin, part.y), neighbour.picture.at(0, 0), stride, part.count(),
+            costs + first);
     if (m_knowsDepth) {
+        const RowRays rays{m_angles.cosAzimuth.data() + part.begin, m_angles.sinAzimuth.data() + part.begin,
+                           m_angles.cosElevation[row], m_angles.sinElevation[row]};
         const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(width());
         seenAt(places, neighbour.inverseM.data(), part.count(), width(), scratch.m_seen.data());
-        expectedAt(rays, inverseM, neighbour.lenses, part.count(), scratch.m_expected.data());
+        expectedAt(rays, inverseM + first, neighbour.lenses, part.count(), scratch.m_expected.data());
         judge(scratch.m_seen.data(), scratch.m_expected.data(),
-              pixelRad / std::max(1e-3F, neighbour.lenses.apartM), part.count(), hidden, costs);
+              pixelRad / std::max(1e-3F, neighbour.lenses.apartM), part.count(), hidden + first,
+              costs + first);
     }
 }
 
@@ -282,14 +342,16 @@ void SweepCost::meanOfKept(const Scratch& scratch, std::size_t values, float* co
     }
 }
 
-void SweepCost::at(const RowPart& part, int layers, const float* inverseM, Scratch& scratch,
+void SweepCost::at(const RowPart& part, int layers, const float* inverseM, Order order, Scratch& scratch,
                    float* costs) const {
+    constexpr int kExactEvery = 2; ///< With 4, more edges of views are false.
     std::fill(scratch.m_hidden.begin(), scratch.m_hidden.end(), 0.0F);
     for (std::size_t k = 0; k < m_neighbours.size(); ++k) {
+        locateLayers(m_neighbours[k], part, layers, inverseM, order == Order::BySteps ? kExactEvery : 1,
+                     scratch);
         for (int layer = 0; layer < layers; ++layer) {
-            const int first = layer * part.count();
-            neighbourCosts(m_neighbours[k], part, inverseM + first, scratch, scratch.m_hidden.data() + first,
-                           scratch.m_costs[k].data() + first);
+            neighbourCosts(m_neighbours[k], part, layer, inverseM, scratch, scratch.m_hidden.data(),
+                           scratch.m_costs[k].data());
         }
     }
     const int values = layers * part.count();
@@ -316,7 +378,7 @@ void SweepCost::all(std::span<const Image<float, 1>> inverseM, int threads, cons
             for (std::size_t k = 0; k < inverseM.size(); ++k) {
                 std::copy_n(inverseM[k].at(0, y), width(), row(tried, k));
             }
-            at({y, 0, width()}, layers, tried.data(), scratch, found.data());
+            at({y, 0, width()}, layers, tried.data(), Order::Any, scratch, found.data());
             for (std::size_t k = 0; k < costs.size(); ++k) {
                 std::copy_n(row(found, k), width(), costs[k].at(0, y));
             }

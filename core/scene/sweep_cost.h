@@ -97,7 +97,9 @@ class SweepCost {
 
       private:
         friend class SweepCost;
-        std::vector<std::int32_t> m_first; ///< Where a neighbour shows a row's pixels.
+        std::vector<float> m_u; ///< Where a neighbour shows the pixels of all layers.
+        std::vector<float> m_v;
+        std::vector<std::int32_t> m_first; ///< The values about those of one layer.
         std::vector<float> m_right;
         std::vector<float> m_down;
         std::vector<std::vector<float>> m_costs; ///< By each neighbour.
@@ -106,9 +108,16 @@ class SweepCost {
         std::vector<float> m_expected;           ///< and that of the row's things.
     };
 
+    /// How the inverse distances of layers follow each other.
+    enum class Order {
+        Any,
+        BySteps, ///< Evenly: from one layer to the next things move by about a pixel.
+    };
+
     /// The costs of pixels at several inverse distances each: the mean over the neighbours that fit best.
     /// Shape: inverseM and costs have a row of pixels for each layer.
-    void at(const RowPart& part, int layers, const float* inverseM, Scratch& scratch, float* costs) const;
+    void at(const RowPart& part, int layers, const float* inverseM, Order order, Scratch& scratch,
+            float* costs) const;
 
     /// The costs of all pixels at one or several inverse distances each. Several at a time take less than one
     /// after the other. Errors: Stopped.
@@ -122,7 +131,12 @@ class SweepCost {
         std::vector<float> inverseM; ///< 1 / distance, turned likewise; empty if it is not known.
     };
 
-    void neighbourCosts(const Neighbour& neighbour, const RowPart& part, const float* inverseM,
+    /// Where a neighbour shows all layers' pixels. Between layers that are located exactly, the others'
+    /// places are interpolated; near the poles, all are exact. If the other lens shows the thing from one
+    /// layer to the next, what lies between is off by half of what that moves it.
+    void locateLayers(const Neighbour& neighbour, const RowPart& part, int layers, const float* inverseM,
+                      int exactEvery, Scratch& scratch) const;
+    void neighbourCosts(const Neighbour& neighbour, const RowPart& part, int layer, const float* inverseM,
                         Scratch& scratch, float* hidden, float* costs) const;
     void meanOfSeen(const Scratch& scratch, std::size_t values, float* costs) const;
     void meanOfKept(const Scratch& scratch, std::size_t values, float* costs) const;

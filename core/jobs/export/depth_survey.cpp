@@ -27,7 +27,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 7; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 8; ///< grows when the same photos and options give another depth
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;

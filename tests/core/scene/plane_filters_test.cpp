@@ -167,6 +167,25 @@ TEST(MedianFilter, TakesOutASinglePixel) {
     EXPECT_EQ(median3x3(plane, 2), even);
 }
 
+TEST(CrossFilter, GivesTheLeastAndTheMostOfFiveValuesAcrossTheSeam) {
+    test::Random random(13);
+    const Plane plane = randomPlane(random);
+    for (const int reach : {1, 2, 16, kColumns / 2}) {
+        const Plane least = leastOfCross(plane, reach, 2);
+        const Plane most = mostOfCross(plane, reach, 2);
+        for (int y = 0; y < kRows; ++y) {
+            for (int x = 0; x < kColumns; ++x) {
+                const auto five = {*plane.at(x, y), *plane.at((x + reach) % kColumns, y),
+                                   *plane.at((x + kColumns - reach) % kColumns, y),
+                                   *plane.at(x, std::max(0, y - reach)),
+                                   *plane.at(x, std::min(kRows - 1, y + reach))};
+                ASSERT_EQ(*least.at(x, y), std::min(five)) << reach << ": " << x << ", " << y;
+                ASSERT_EQ(*most.at(x, y), std::max(five)) << reach << ": " << x << ", " << y;
+            }
+        }
+    }
+}
+
 TEST(PlaneSmoothing, LeavesFlatSurfaces) {
     test::Random random(12);
     for (int example = 0; example < 10; ++example) {

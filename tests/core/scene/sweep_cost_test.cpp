@@ -208,9 +208,56 @@ TEST(SweepCost, OfSeveralDistancesAtATimeIsThatOfEachByItself) {
         }
         SweepCost::Scratch scratch(cost, 8);
         std::vector<float> part(8);
-        cost.at({5, 24, 32}, 1, inverse[0].at(24, 5), scratch, part.data());
+        cost.at({5, 24, 32}, 1, inverse[0].at(24, 5), SweepCost::Order::Any, scratch, part.data());
         EXPECT_TRUE(std::equal(part.begin(), part.end(), costs[0].at(24, 5)));
     }
+}
+
+/// Waves 26 pixels long, of a picture of 512.
+RgbImage wavyPicture() {
+    RgbImage picture(1024, 512);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            const Eigen::Vector3d ray = direction({1024, 512}, Eigen::Vector2d(x, y));
+            const double wave =
+                std::sin(20 * ray.x()) + std::sin(20 * ray.y() + 1) + std::sin(20 * ray.z() + 2);
+            std::fill_n(picture.at(x, y), 3, static_cast<std::uint8_t>(128 + 40 * wave));
+        }
+    }
+    return picture;
+}
+
+// With a step of 0.3 of the neighbours' distance from nearly endless: the poles and both baselines' ends
+// among all pixels.
+TEST(SweepCost, OfDistancesAPixelApartIsThatOfExactPlaces) {
+    constexpr int kSize = 512;
+    constexpr int kLayers = 33;
+    constexpr int kAtATime = 64;
+    test::Random random(12);
+    const RgbImage photo = wavyPicture();
+    const std::vector<PosedPicture> neighbours{{&photo, {random.rotation(), {0.5, 0.1, 0}}},
+                                               {&photo, {random.rotation(), {0, 0.1, 0.5}}}};
+    const SweepCost cost({&photo, {}}, neighbours, 1, kSize, 1);
+    SweepCost::Scratch scratch(cost, kLayers * kAtATime);
+    std::vector<float> inverse;
+    for (int layer = 0; layer < kLayers; ++layer) {
+        inverse.insert(inverse.end(), kAtATime, 1e-3F + 0.024F * static_cast<float>(layer));
+    }
+    std::vector<float> exact(inverse.size());
+    std::vector<float> found(inverse.size());
+    float worst = 0;
+    for (int y = 0; y < kSize / 2; ++y) {
+        for (int x = 0; x < kSize; x += kAtATime) {
+            const SweepCost::RowPart part{y, x, x + kAtATime};
+            cost.at(part, kLayers, inverse.data(), SweepCost::Order::Any, scratch, exact.data());
+            cost.at(part, kLayers, inverse.data(), SweepCost::Order::BySteps, scratch, found.data());
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                worst = std::max(worst, std::fabs(found[i] - exact[i]));
+            }
+        }
+    }
+    EXPECT_GT(worst, 0);
+    EXPECT_LT(worst, 0.3F); // grey levels, of up to 68.8
 }
 
 TEST(SweepCost, IsTheSumOfWhatDiffersUpToALimit) {
