@@ -33,6 +33,11 @@ bool isUnlike(const PhotoAgreement& pair) {
            pair.seen < kContradicted * pair.expected;
 }
 
+/// Photos that stand farther apart see too little from the same side.
+constexpr double kNearM = 1;
+constexpr double kLeastInSight = 50;    ///< Number of things, of each photo.
+constexpr double kInSightShare = 0.6;   ///< Of what most photos as far apart share.
+constexpr double kAsFarM = 0.2;         ///< By which distances between photos differ that are called alike.
 constexpr std::size_t kLeastBeside = 5; ///< Fewer pairs do not tell what is usual.
 
 /// What photos beside each other usually show of each other; 0 if few photos are. Where photos are dense,
@@ -47,11 +52,25 @@ double usualShareBeside(std::span<const PhotoAgreement> agreements, double besid
     return shares.size() < kLeastBeside ? 0 : median(std::move(shares));
 }
 
+/// What photos as far apart usually share of what both have in sight; 0 if there are few.
+double usualShareInSight(std::span<const PhotoAgreement> agreements, double apartM) {
+    std::vector<double> shares;
+    for (const PhotoAgreement& pair : agreements) {
+        if (pair.shareInSight < 1 && std::fabs(pair.apartM - apartM) < kAsFarM) {
+            shares.push_back(pair.shareInSight);
+        }
+    }
+    return shares.size() < kLeastBeside ? 0 : median(std::move(shares));
+}
+
 std::vector<PhotoAgreement> contradictionsIn(std::span<const PhotoAgreement> agreements, double besideM) {
     const double usualBeside = usualShareBeside(agreements, besideM);
     std::vector<PhotoAgreement> contradictions;
     std::ranges::copy_if(agreements, std::back_inserter(contradictions), [&](const PhotoAgreement& pair) {
-        return isUnlike(pair) || (isBeside(pair, besideM) && pair.betterShare < kBesideShare * usualBeside);
+        const bool looksOtherwise =
+            besideM > 0 && pair.shareInSight < kInSightShare * usualShareInSight(agreements, pair.apartM);
+        return isUnlike(pair) || looksOtherwise ||
+               (isBeside(pair, besideM) && pair.betterShare < kBesideShare * usualBeside);
     });
     return contradictions;
 }
@@ -62,6 +81,15 @@ double betterShare(const ExpectedThings& inA, const ExpectedThings& inB) {
         better = std::max(better, things.expected < kLeastExpected ? 1 : things.seen / things.expected);
     }
     return better;
+}
+
+/// The better side of what is seen of each other's things in sight; 1 if there are few.
+double shareInSight(const Sightings& sightings, int a, int b) {
+    const ExpectedThings ofB = sightings.inSight(a, b);
+    const ExpectedThings ofA = sightings.inSight(b, a);
+    return std::min(ofA.expected, ofB.expected) < kLeastInSight
+               ? 1
+               : std::max(ofA.seen / ofA.expected, ofB.seen / ofB.expected);
 }
 
 /// Joins the pairs that agree most first, and never two photos that contradict each other.
@@ -104,10 +132,18 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
             const ExpectedThings inB = sightings.expected(pair.b, pair.a);
             const Eigen::Vector3d apart = roomFromPhoto[static_cast<std::size_t>(pair.a)]->translation -
                                           roomFromPhoto[static_cast<std::size_t>(pair.b)]->translation;
-            all.push_back({pair.a, pair.b, inA.expected + inB.expected, inA.seen + inB.seen, apart.norm(),
-                           betterShare(inA, inB),
-                           std::max(rangesM[static_cast<std::size_t>(pair.a)],
-                                    rangesM[static_cast<std::size_t>(pair.b)])});
+            PhotoAgreement agreement{pair.a,
+                                     pair.b,
+                                     inA.expected + inB.expected,
+                                     inA.seen + inB.seen,
+                                     apart.norm(),
+                                     betterShare(inA, inB),
+                                     std::max(rangesM[static_cast<std::size_t>(pair.a)],
+                                              rangesM[static_cast<std::size_t>(pair.b)])};
+            if (agreement.apartM < kNearM) {
+                agreement.shareInSight = shareInSight(sightings, pair.a, pair.b);
+            }
+            all.push_back(agreement);
         }
     }
     return all;

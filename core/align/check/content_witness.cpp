@@ -22,6 +22,10 @@ constexpr double kLeastRangeM = 0.1;
 constexpr double kSeenChord = 0.014; ///< 0.8 degrees: things so near are the same thing.
 constexpr int kLeastConfirming = 2;  ///< Neighbours that see a thing where the photo shows it.
 constexpr double kPriorShare = 0.2;  ///< Evens out shares of few photos.
+constexpr Radians kSameSide = Degrees(20);
+constexpr double kSameSize = 1.5; ///< Between the distances from which two photos see a thing.
+const double kBesideThing = std::cos(Radians(Degrees(2.5)).value());
+constexpr double kAsFar = 1.2;
 constexpr std::array<Degrees, 6> kAside = {Degrees(4),  Degrees(8),  Degrees(14),
                                            Degrees(22), Degrees(32), Degrees(180)};
 constexpr double kPriorThings = 3; ///< Evens out what few things say of how far aside they are still known.
@@ -193,6 +197,70 @@ ExpectedThings Sightings::expected(int photo, int neighbour) const {
         things.seen += witness.isSeen ? 1 : 0;
     }
     return things;
+}
+
+std::vector<Sightings::Thing> Sightings::things(int photo, int other) const {
+    std::vector<Thing> result;
+    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(photo)];
+    for (auto from = all.begin(); from != all.end();) {
+        std::vector<double> rangesM;
+        bool isShared = false;
+        auto at = from;
+        for (; at != all.end() && at->feature == from->feature; ++at) {
+            if (at->other.photo == other) {
+                isShared = isShared || at->isInlier;
+            } else if (at->rangeM > 0) {
+                rangesM.push_back(at->rangeM);
+            }
+        }
+        if (rangesM.size() >= kLeastConfirming) {
+            const Rigid3& roomFromPhoto = *m_roomFromPhoto[static_cast<std::size_t>(photo)];
+            result.push_back({roomFromPhoto * (median(rangesM) * *from->own), isShared});
+        }
+        from = at;
+    }
+    return result;
+}
+
+ExpectedThings Sightings::inSight(int photo, int neighbour) const {
+    const Eigen::Vector3d placeM = m_roomFromPhoto[static_cast<std::size_t>(photo)]->translation;
+    const Eigen::Vector3d otherPlaceM = m_roomFromPhoto[static_cast<std::size_t>(neighbour)]->translation;
+    std::vector<Eigen::Vector3d> own; // from the photo's place
+    for (const Thing& thing : things(photo, neighbour)) {
+        own.emplace_back(thing.pInRoom - placeM);
+    }
+    ExpectedThings result;
+    for (const Thing& thing : things(neighbour, photo)) {
+        const Eigen::Vector3d fromPhoto = thing.pInRoom - placeM;
+        const Eigen::Vector3d fromOther = thing.pInRoom - otherPlaceM;
+        const double rangeShare = fromPhoto.norm() / fromOther.norm();
+        if (angleBetween(fromPhoto, fromOther) > kSameSide || rangeShare > kSameSize ||
+            rangeShare < 1 / kSameSize) {
+            continue;
+        }
+        const auto beside = [&](const Eigen::Vector3d& each) {
+            return each.dot(fromPhoto) > kBesideThing * each.norm() * fromPhoto.norm();
+        };
+        const auto asFar = [&](const Eigen::Vector3d& each) {
+            const double share = each.norm() / fromPhoto.norm();
+            return share < kAsFar && share > 1 / kAsFar;
+        };
+        const auto isInSight = [&] {
+            int found = 0;
+            for (const Eigen::Vector3d& each : own) {
+                if (beside(each)) {
+                    if (!asFar(each)) {
+                        return false;
+                    }
+                    ++found;
+                }
+            }
+            return found >= kLeastConfirming;
+        };
+        result.seen += thing.isShared ? 1 : 0;
+        result.expected += thing.isShared || isInSight() ? 1 : 0;
+    }
+    return result;
 }
 
 bool Sightings::standsThere(int photo, int feature) const {

@@ -58,6 +58,11 @@ class Sightings {
     /// any.
     ExpectedThings expected(int photo, int neighbour) const;
 
+    /// What the neighbour shares with third photos and this photo has in sight: it shares it, or shows things
+    /// of its own beside it that are as far away. Only things count that both see from about the same side.
+    /// So walls between the photos hide nothing of it, and what is not seen looks another way. Threads: any.
+    ExpectedThings inSight(int photo, int neighbour) const;
+
     bool isPlaced(int photo) const { return m_roomFromPhoto[static_cast<std::size_t>(photo)].has_value(); }
 
     /// Median distance of what the photo shares with others; 0 if they tell none.
@@ -88,6 +93,13 @@ class Sightings {
         double rangeM = 0; ///< Along the own bearing; 0 if the two photos do not tell.
     };
 
+    /// Something that a photo shares with two others or more beside the one asked for.
+    struct Thing {
+        Eigen::Vector3d pInRoom;
+        bool isShared; ///< With the one asked for.
+    };
+
+    std::vector<Thing> things(int photo, int other) const;
     void add(int photo, Neighbour other, const Correspondence& match, bool isFromA, bool isInlier);
     double rangeM(int photo, int other, const Eigen::Vector3d& own, const Eigen::Vector3d& others) const;
     /// Adds the neighbour's witnesses, with the share of its photos that show the thing as their chance. The

@@ -138,6 +138,50 @@ TEST_F(AgreeingParts, AreOneWhereHardlyAnyPhotosAreBesideEachOther) {
     EXPECT_THAT(agreeingParts({true, true, true, true}, std::vector{one, other, between}, 0.3), Each(0));
 }
 
+TEST_F(AgreeingParts, AreTwoWhereWhatBothHaveInSightLooksAnotherWay) {
+    std::vector<PhotoAgreement> agreements;
+    for (int i = 0; i < 6; ++i) {
+        agreements.push_back({i, i + 1, 100, 150, 0.8, 1.6, 2.5, 0.65});
+        agreements.push_back({i + 7, i + 8, 100, 150, 0.8, 1.6, 2.5, 0.65});
+    }
+    agreements.push_back({3, 9, 100, 80, 0.9, 0.9, 2.5, 0.3}); // The same table stands in both rooms.
+    PhotoAgreement& alike = agreements.back();
+    double besideM = 0.6;
+    const auto found = [&] { return agreeingParts(std::vector<bool>(14, true), agreements, 0.3, besideM); };
+    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1));
+    besideM = 0; // How long anything is, is not known.
+    EXPECT_THAT(found(), Each(0));
+    besideM = 0.6;
+    alike.shareInSight = 0.45;
+    EXPECT_THAT(found(), Each(0));
+    alike.shareInSight = 0.3;
+    alike.apartM = 1.1; // No other photos are so far apart, so nobody knows what is usual.
+    EXPECT_THAT(found(), Each(0));
+}
+
+// Every fourth thing stands in both rooms. No photos stand so near to each other that no wall can be between
+// them.
+TEST_F(AgreeingParts, AreTwoRoomsOfOneSizeWithSomeThingsInCommon) {
+    FurnishedSurvey rooms{{4, 5, 0.7, 1.5}, random};
+    rooms.expose(random);
+    const auto partsOf = [&] {
+        return agreeingParts(std::vector<bool>(rooms.roomFromPhoto.size(), true),
+                             photoAgreements(rooms.roomFromPhoto, rooms.pairs,
+                                             fittingMatches(rooms.roomFromPhoto, rooms.pairs)),
+                             0.05);
+    };
+    EXPECT_THAT(partsOf(), Each(0));
+    for (PhotoPair& pair : rooms.pairs) {
+        if ((pair.a < 12) != (pair.b < 12)) {
+            std::erase_if(pair.matches, [](const Correspondence& match) { return match.featureA % 4 != 0; });
+        }
+    }
+    const std::vector<int> found = partsOf();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(found[i], i < 12 ? 0 : 1) << i;
+    }
+}
+
 TEST_F(AgreeingParts, AreOneWhereAWallExplainsThatNothingIsThere) {
     const PhotoAgreement one{0, 1, 100, 200, 1, 2, 2.5};
     const PhotoAgreement other{2, 3, 100, 200, 1, 2, 2.5};

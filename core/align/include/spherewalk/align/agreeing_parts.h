@@ -25,6 +25,9 @@ struct PhotoAgreement {
     /// what it shows is seen beside it. At least 1 if too few things are expected from one side.
     double betterShare = 1;
     double rangeM = 0; ///< Median distance of what either photo sees, the larger one.
+    /// What is seen of the things that third photos share and that the photo has in sight from nearly the
+    /// same side, seen from one side, the better one. At least 1 if few are in sight of either photo.
+    double shareInSight = 1;
 };
 
 /// The agreement of each pair whose photos both have a pose, in their order. Shape: roomFromPhoto has one
@@ -42,8 +45,10 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 /// are expected, nothing speaks against the pair. Two photos contradict each other if hardly any of 50 things
 /// or more is there, although they stand nearer to each other than things usually do, so that hardly a wall
 /// hides them; or if they stand within besideM, so that no wall is between their lenses, and both show less
-/// than half of what most of five such pairs or more show. They are never in one part, and the pairs that
-/// agree least are cut between them. besideM: 0 where lengths are not in metres.
+/// than half of what most of five such pairs or more show; or if of what each has in sight of the other's
+/// things they share less than 0.6 of what most of five pairs or more share that are as far apart to 0.2 m.
+/// They are never in one part, and the pairs that agree least are cut between them. besideM: 0 where lengths
+/// are not in metres; then the last two are not asked.
 ///
 /// Shape: isPlaced has one entry a photo, and all photos that agreements name are placed. The result has one
 /// entry a photo: the number of its part, 0 for the one with the most photos; -1 for photos that are not
