@@ -176,16 +176,23 @@ PhotoWitnesses Sightings::witnesses(int photo) const {
     return result;
 }
 
-void Sightings::witness(int photo, Neighbour neighbour, PhotoWitnesses& result) const {
-    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(neighbour.photo)];
+template <class Use>
+void Sightings::forEachFeature(int photo, const Use& use) const {
+    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(photo)];
     for (auto from = all.begin(); from != all.end();) {
         const auto to = std::find_if(
             from, all.end(), [&](const Sighting& sighting) { return sighting.feature != from->feature; });
-        if (const std::optional<Witness> found = witness(photo, neighbour, {from, to}, result)) {
-            result.witnesses.push_back(*found);
-        }
+        use(std::span<const Sighting>(from, to));
         from = to;
     }
+}
+
+void Sightings::witness(int photo, Neighbour neighbour, PhotoWitnesses& result) const {
+    forEachFeature(neighbour.photo, [&](std::span<const Sighting> ofFeature) {
+        if (const std::optional<Witness> found = witness(photo, neighbour, ofFeature, result)) {
+            result.witnesses.push_back(*found);
+        }
+    });
 }
 
 ExpectedThings Sightings::expected(int photo, int neighbour) const {
@@ -200,25 +207,22 @@ ExpectedThings Sightings::expected(int photo, int neighbour) const {
 }
 
 std::vector<Sightings::Thing> Sightings::things(int photo, int other) const {
+    const Rigid3& roomFromPhoto = *m_roomFromPhoto[static_cast<std::size_t>(photo)];
     std::vector<Thing> result;
-    const std::vector<Sighting>& all = m_of[static_cast<std::size_t>(photo)];
-    for (auto from = all.begin(); from != all.end();) {
+    forEachFeature(photo, [&](std::span<const Sighting> ofFeature) {
         std::vector<double> rangesM;
         bool isShared = false;
-        auto at = from;
-        for (; at != all.end() && at->feature == from->feature; ++at) {
-            if (at->other.photo == other) {
-                isShared = isShared || at->isInlier;
-            } else if (at->rangeM > 0) {
-                rangesM.push_back(at->rangeM);
+        for (const Sighting& sighting : ofFeature) {
+            if (sighting.other.photo == other) {
+                isShared = isShared || sighting.isInlier;
+            } else if (sighting.rangeM > 0) {
+                rangesM.push_back(sighting.rangeM);
             }
         }
         if (rangesM.size() >= kLeastConfirming) {
-            const Rigid3& roomFromPhoto = *m_roomFromPhoto[static_cast<std::size_t>(photo)];
-            result.push_back({roomFromPhoto * (median(rangesM) * *from->own), isShared});
+            result.push_back({roomFromPhoto * (median(rangesM) * *ofFeature[0].own), isShared});
         }
-        from = at;
-    }
+    });
     return result;
 }
 

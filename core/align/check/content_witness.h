@@ -100,6 +100,9 @@ class Sightings {
     };
 
     std::vector<Thing> things(int photo, int other) const;
+    /// Calls use() with the sightings of each of a photo's features.
+    template <class Use>
+    void forEachFeature(int photo, const Use& use) const;
     void add(int photo, Neighbour other, const Correspondence& match, bool isFromA, bool isInlier);
     double rangeM(int photo, int other, const Eigen::Vector3d& own, const Eigen::Vector3d& others) const;
     /// Adds the neighbour's witnesses, with the share of its photos that show the thing as their chance. The
