@@ -7,7 +7,9 @@ Each seed walks through the two rooms of the practice flat with steps of 0.3 to 
 a tenth of photos of another place: those of FOLDER, else of another practice room. All practice rooms have the same furniture, so
 that one is the harder test: only what stands around the furniture tells it from the flat. With --real the camera has a real one's
 flaws, two lenses among them. It imports the photos without positions, aligns them with --positions free, and compares with
-the truth after the best common motion and scale of the photos that nothing names. A photo is wrong by more than 5 cm or 1 degree; it is missed if nothing names it.
+the truth after the best common motion and scale of the photos that nothing names: "deg" are turns after the motion that fits the
+places best, "own deg" after the common turn that fits the turns best. A photo is wrong by more than 5 cm or 1 degree; it is missed
+if nothing names it.
 """
 
 import argparse
@@ -140,6 +142,17 @@ def name_before(file):
     return re.sub(r"_[0-9a-f]{8}(?=\.)", "", file)
 
 
+def turn_error(apart):
+    return math.degrees(math.acos(min(1, max(-1, (apart[0][0] + apart[1][1] + apart[2][2] - 1) / 2))))
+
+
+def about_their_mean(turns):
+    """The small turns in degrees, without what all have in common."""
+    vectors = [[math.degrees(t[k - 1][k - 2] - t[k - 2][k - 1]) / 2 for k in range(3)] for t in turns]
+    common = mean(vectors)
+    return [math.dist(vector, common) for vector in vectors]
+
+
 def mean_square(values):
     return sum(value * value for value in values) / len(values)
 
@@ -170,13 +183,14 @@ def judged(report, truth, unrelated):
         metres = math.dist([scale * value for value in there], [other[k] - mean_true[k] for k in range(3)])
         q = solved[name]["roomFromPhoto"]
         apart = product(product(turn, matrix(q["w"], q["x"], q["y"], q["z"])), transposed(truth[name][1]))
-        degrees = math.degrees(math.acos(min(1, max(-1, (apart[0][0] + apart[1][1] + apart[2][2] - 1) / 2))))
-        errors[name] = (metres, degrees)
+        degrees = turn_error(apart)
+        errors[name] = (metres, degrees, apart)
         if (metres > WRONG_M or degrees > WRONG_DEG) and name not in named:
             result["missed"].append(name)
-    off, turned = zip(*(errors[name] for name in trusted))
+    off, turned, turns = zip(*(errors[name] for name in trusted))
     result.update(scale=scale, rms_mm=1000 * math.sqrt(mean_square(off)), worst_mm=1000 * max(off),
-                  rms_deg=math.sqrt(mean_square(turned)), worst_deg=max(turned))
+                  rms_deg=math.sqrt(mean_square(turned)), worst_deg=max(turned),
+                  own_deg=math.sqrt(mean_square(about_their_mean(turns))))
     return result
 
 
@@ -221,14 +235,16 @@ def main():
     options.add_argument("--real", action="store_const", const=["--real"], default=[])
     given = options.parse_args()
     foreign = sorted(given.unrelated.glob("*.[jJ][pP]*[gG]")) if given.unrelated else []
-    print("| seed | photos | placed | named | unrelated missed | RMS mm | worst mm | RMS deg | worst deg | scale | stated | s | missed |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| seed | photos | placed | named | unrelated missed | RMS mm | worst mm | RMS deg | worst deg | own deg | scale | stated | s "
+          "| missed |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|")
     missed = 0
     for seed in range(given.first, given.first + given.surveys):
         row = survey(given.cli, seed, given.photos, given.width, foreign, given.real)
         missed += len(row["missed"]) + row["unrelated_missed"]
         cells = [seed, row["photos"], row["placed"], row["named"], row["unrelated_missed"]]
-        cells += [f"{row[key]:.4g}" if key in row else "-" for key in ("rms_mm", "worst_mm", "rms_deg", "worst_deg", "scale", "stated")]
+        figures = ("rms_mm", "worst_mm", "rms_deg", "worst_deg", "own_deg", "scale", "stated")
+        cells += [f"{row[key]:.4g}" if key in row else "-" for key in figures]
         print("| " + " | ".join(map(str, cells + [f"{row['seconds']:.0f}", " ".join(row["missed"])])) + " |", flush=True)
     print(f"\nMissed: {missed}.")
     return 1 if missed else 0

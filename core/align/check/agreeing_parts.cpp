@@ -35,8 +35,11 @@ bool isUnlike(const PhotoAgreement& pair) {
 
 /// Photos that stand farther apart see too little from the same side.
 constexpr double kNearM = 1;
-constexpr double kLeastInSight = 50;    ///< Number of things, of each photo.
-constexpr double kInSightShare = 0.6;   ///< Of what most photos as far apart share.
+constexpr double kLeastInSight = 50;  ///< Number of things, of each photo.
+constexpr double kInSightShare = 0.6; ///< Of what most photos as far apart share.
+/// Two pairs contradict together that share so little of what is in sight, and of what is expected.
+constexpr double kTogetherInSightShare = 0.85;
+constexpr double kTogetherShare = 0.6;
 constexpr double kAsFarM = 0.2;         ///< By which distances between photos differ that are called alike.
 constexpr std::size_t kLeastBeside = 5; ///< Fewer pairs do not tell what is usual.
 
@@ -63,15 +66,22 @@ double usualShareInSight(std::span<const PhotoAgreement> agreements, double apar
     return shares.size() < kLeastBeside ? 0 : median(std::move(shares));
 }
 
-std::vector<PhotoAgreement> contradictionsIn(std::span<const PhotoAgreement> agreements, double besideM) {
+/// By how much each two photos contradict each other that do: 1 forbids to join them, and so do two halves.
+std::map<std::pair<int, int>, double> contradictionsIn(std::span<const PhotoAgreement> agreements,
+                                                       double besideM) {
     const double usualBeside = usualShareBeside(agreements, besideM);
-    std::vector<PhotoAgreement> contradictions;
-    std::ranges::copy_if(agreements, std::back_inserter(contradictions), [&](const PhotoAgreement& pair) {
-        const bool looksOtherwise =
-            besideM > 0 && pair.shareInSight < kInSightShare * usualShareInSight(agreements, pair.apartM);
-        return isUnlike(pair) || looksOtherwise ||
-               (isBeside(pair, besideM) && pair.betterShare < kBesideShare * usualBeside);
-    });
+    std::map<std::pair<int, int>, double> contradictions;
+    for (const PhotoAgreement& pair : agreements) {
+        const double usual = besideM > 0 ? usualShareInSight(agreements, pair.apartM) : 0;
+        const bool isClear = isUnlike(pair) || pair.shareInSight < kInSightShare * usual ||
+                             (isBeside(pair, besideM) && pair.betterShare < kBesideShare * usualBeside);
+        const bool isHalf = pair.shareInSight < kTogetherInSightShare * usual &&
+                            pair.expected >= kClearlyExpected && pair.seen < kTogetherShare * pair.expected;
+        if (isClear || isHalf) {
+            double& most = contradictions[std::minmax(pair.a, pair.b)];
+            most = std::max(most, isClear ? 1 : 0.5);
+        }
+    }
     return contradictions;
 }
 
@@ -99,16 +109,18 @@ DisjointSets joined(std::size_t photos, std::span<const PhotoAgreement> agreemen
         return pair.expected < kLeastExpected ? leastShare : pair.seen / pair.expected;
     };
     std::vector<PhotoAgreement> sorted(agreements.begin(), agreements.end());
-    const std::vector<PhotoAgreement> contradictions = contradictionsIn(agreements, besideM);
+    const auto contradictions = contradictionsIn(agreements, besideM);
     std::ranges::stable_sort(sorted, std::greater<>(), share);
     DisjointSets sets(photos);
     for (const PhotoAgreement& pair : sorted) {
         const std::pair joins(sets.of(pair.a), sets.of(pair.b));
-        const bool isContradicted = std::ranges::any_of(contradictions, [&](const PhotoAgreement& other) {
-            const std::pair apart(sets.of(other.a), sets.of(other.b));
-            return apart == joins || apart == std::pair(joins.second, joins.first);
-        });
-        if (share(pair) >= leastShare && !isContradicted) {
+        double contradicted = 0;
+        for (const auto& [both, by] : contradictions) {
+            const std::pair apart(sets.of(both.first), sets.of(both.second));
+            const bool isBetween = apart == joins || apart == std::pair(joins.second, joins.first);
+            contradicted += isBetween ? by : 0;
+        }
+        if (share(pair) >= leastShare && contradicted < 1) {
             sets.join(pair.a, pair.b);
         }
     }

@@ -159,6 +159,23 @@ TEST_F(AgreeingParts, AreTwoWhereWhatBothHaveInSightLooksAnotherWay) {
     EXPECT_THAT(found(), Each(0));
 }
 
+TEST_F(AgreeingParts, AreTwoWhereTwoPairsContradictTogether) {
+    std::vector<PhotoAgreement> agreements;
+    for (int i = 0; i < 6; ++i) {
+        agreements.push_back({i, i + 1, 100, 150, 0.8, 1.6, 2.5, 0.65});
+        agreements.push_back({i + 7, i + 8, 100, 150, 0.8, 1.6, 2.5, 0.65});
+    }
+    agreements.push_back({3, 9, 100, 55, 0.8, 0.9, 2.5, 0.5});
+    const auto found = [&] { return agreeingParts(std::vector<bool>(14, true), agreements, 0.3); };
+    EXPECT_THAT(found(), Each(0));
+    agreements.push_back({9, 3, 100, 55, 0.8, 0.9, 2.5, 0.5}); // The same pair, as another look has it.
+    EXPECT_THAT(found(), Each(0));
+    agreements.push_back({4, 9, 100, 55, 0.8, 0.9, 2.5, 0.5});
+    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1));
+    agreements.back().seen = 65; // As much is there as a door lets through.
+    EXPECT_THAT(found(), Each(0));
+}
+
 // Every fourth thing stands in both rooms. No photos stand so near to each other that no wall can be between
 // them.
 TEST_F(AgreeingParts, AreTwoRoomsOfOneSizeWithSomeThingsInCommon) {

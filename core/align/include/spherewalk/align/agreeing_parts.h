@@ -47,8 +47,10 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 /// hides them; or if they stand within besideM, so that no wall is between their lenses, and both show less
 /// than half of what most of five such pairs or more show; or if of what each has in sight of the other's
 /// things they share less than 0.6 of what most of five pairs or more share that are as far apart to 0.2 m.
-/// They are never in one part, and the pairs that agree least are cut between them. besideM: 0 where lengths
-/// are not in metres; then the last two are not asked.
+/// Two pairs between the same parts count like one that contradicts if each shares less than 0.85 of that,
+/// and if less than 0.6 of what is expected is seen. Photos that contradict each other are never in one part,
+/// and the pairs that agree least are cut between them. besideM: 0 where lengths are not in metres; then what
+/// photos show beside each other and in sight is not asked.
 ///
 /// Shape: isPlaced has one entry a photo, and all photos that agreements name are placed. The result has one
 /// entry a photo: the number of its part, 0 for the one with the most photos; -1 for photos that are not
