@@ -2461,6 +2461,10 @@
         <source>Take photos between them and the others.</source>
         <translation>Machen Sie Fotos zwischen ihnen und den anderen.</translation>
     </message>
+    <message>
+        <source>Comparing what photos show</source>
+        <translation>Vergleichen, was die Fotos zeigen</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

@@ -2471,6 +2471,10 @@
         <source>Take photos between them and the others.</source>
         <translation>Zrób zdjęcia między nimi a pozostałymi.</translation>
     </message>
+    <message>
+        <source>Comparing what photos show</source>
+        <translation>Porównywanie tego, co pokazują zdjęcia</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::CornerModel</name>

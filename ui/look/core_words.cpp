@@ -226,6 +226,7 @@ constexpr const char* kSteps[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for AprilTags"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Looking for photos that look alike"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Averaging rotations"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Comparing what photos show"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Solving"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Solved"),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Placed"),

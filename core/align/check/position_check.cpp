@@ -3,7 +3,7 @@
 
 #include "check/position_evidence.h"
 #include "check/position_hypotheses.h"
-#include "graph/room_orientation.h"
+#include "graph/pose_graph.h"
 
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"

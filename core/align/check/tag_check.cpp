@@ -2,7 +2,7 @@
 #include "spherewalk/align/tag_check.h"
 
 #include "check/position_evidence.h"
-#include "graph/room_orientation.h"
+#include "graph/pose_graph.h"
 
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/angle.h"

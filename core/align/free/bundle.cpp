@@ -161,7 +161,7 @@ double missRad(const Bundle& bundle, const Ray& ray, const Eigen::Vector3d& poin
 }
 
 /// Where the rays come nearest to each other: least squares of the distances.
-std::optional<Eigen::Vector3d> meetingPoint(const Bundle& bundle, std::span<const Ray> rays) {
+std::optional<Eigen::Vector3d> meetingPoint(const Bundle& bundle, std::span<const Ray> rays, double scale) {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     double parallax = 0;
@@ -172,33 +172,35 @@ std::optional<Eigen::Vector3d> meetingPoint(const Bundle& bundle, std::span<cons
         right += across * bundle.lensOf(ray);
         parallax = std::max(parallax, inRoom(bundle, rays.front()).cross(seen).norm() / ray.sigmaRad);
     }
-    if (parallax < kLeastPointParallax * bundle.scale) {
+    if (parallax < kLeastPointParallax * scale) {
         return std::nullopt;
     }
     const Eigen::Vector3d point = matrix.ldlt().solve(right);
     return point.allFinite() ? std::optional(point) : std::nullopt;
 }
 
-double reachRad(const Bundle& bundle, const Ray& ray, bool isFirst) {
-    const double reach = kReachSigmas * bundle.scale * ray.sigmaRad;
+double reachRad(const Ray& ray, double scale, bool isFirst) {
+    const double reach = kReachSigmas * scale * ray.sigmaRad;
     return isFirst ? std::max(kFirstReachRad, reach) : reach;
 }
 
 /// Puts the points to where most of their rays meet, and leaves out the rays that miss. Returns all points.
-std::vector<SeenPoint> placed(const Bundle& bundle, std::span<const SeenPoint> all, bool isFirst) {
+/// scale: of the rays' sigmas.
+std::vector<SeenPoint> placed(const Bundle& bundle, std::span<const SeenPoint> all, double scale,
+                              bool isFirst) {
     std::vector<SeenPoint> points(all.begin(), all.end());
     for (SeenPoint& point : points) {
         point.isPlaced = false;
         while (point.rays.size() >= 2) {
-            const auto at = meetingPoint(bundle, point.rays);
+            const auto at = meetingPoint(bundle, point.rays, scale);
             if (!at) {
                 break;
             }
             point.at = *at;
             const auto worst = std::ranges::max_element(point.rays, {}, [&](const Ray& ray) {
-                return missRad(bundle, ray, point.at) / reachRad(bundle, ray, isFirst);
+                return missRad(bundle, ray, point.at) / reachRad(ray, scale, isFirst);
             });
-            if (missRad(bundle, *worst, point.at) < reachRad(bundle, *worst, isFirst)) {
+            if (missRad(bundle, *worst, point.at) < reachRad(*worst, scale, isFirst)) {
                 point.isPlaced = true;
                 break;
             }
@@ -381,15 +383,14 @@ void keepClearLenses(Bundle& bundle) {
 
 void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& progress,
             const std::stop_token& stop) {
-    const std::vector<SeenPoint> every = std::move(bundle.points);
-    const std::vector<SeenPoint> all = enoughPoints(every, bundle.photos.size());
+    const std::vector<SeenPoint> all = enoughPoints(std::move(bundle.points), bundle.photos.size());
     constexpr std::array kWidths{20.0, 5.0, 2.0, 2.0};
     constexpr std::array kIterations{20, 15, 15, 25};
     for (std::size_t round = 0; round < kWidths.size(); ++round) {
         ProgressStep step(progress, static_cast<double>(round) / kWidths.size(),
                           static_cast<double>(round + 1) / kWidths.size());
         throwIfStopped(stop);
-        bundle.points = placed(bundle, all, round == 0);
+        bundle.points = placed(bundle, all, bundle.scale, round == 0);
         std::erase_if(bundle.points, [](const SeenPoint& point) { return !point.isPlaced; });
         bundle.scale = round == 0 ? 1 : rayScale(bundle);
         const bool solvesLenses = round == 1 || (round > 1 && bundle.photos.front().lenses.aheadM != 0);
@@ -405,15 +406,21 @@ void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& pr
     }
     std::erase_if(bundle.points, [&](SeenPoint& point) {
         std::erase_if(point.rays, [&](const Ray& ray) {
-            return missRad(bundle, ray, point.at) > reachRad(bundle, ray, false);
+            return missRad(bundle, ray, point.at) > reachRad(ray, bundle.scale, false);
         });
         return point.rays.size() < 2;
     });
-    for (const SeenPoint& point : placed(bundle, every, false)) {
+}
+
+std::vector<Eigen::Vector3d> meetingPoints(const Bundle& bundle, std::span<const SeenPoint> things,
+                                           double scale) {
+    std::vector<Eigen::Vector3d> points;
+    for (const SeenPoint& point : placed(bundle, things, scale, false)) {
         if (point.isPlaced) {
-            bundle.seen.push_back(point.at);
+            points.push_back(point.at);
         }
     }
+    return points;
 }
 
 } // namespace spherewalk::align

@@ -4,7 +4,6 @@
 #include "features/option_check.h"
 #include "free/placing.h"
 #include "graph/pose_graph.h"
-#include "graph/room_orientation.h"
 #include "pairs/pair_geometry.h"
 #include "solve/unknowns.h"
 
@@ -33,7 +32,14 @@ constexpr double kOnePlaceShare = 0.3;
 struct Part {
     std::vector<int> photos; ///< Indices of the photos that are placed.
     std::vector<PhotoPrior> priors;
+    std::vector<SeenPoint> things; ///< All that the photos see.
     Bundle bundle;
+};
+
+/// The largest part, adjusted, and what is said of the photos outside of it.
+struct Adjusted {
+    Part part;
+    FreePlaces made;
 };
 
 /// What is said of photos outside of the largest part.
@@ -88,7 +94,7 @@ Part startOf(const Component& component, std::span<const PhotoPrior> priors, std
         part.bundle.photos.push_back(
             {(upright * component.componentFromPhoto[i]).normalized(), upright * *places[i]});
     }
-    part.bundle.points = seenPoints(component, placeOf, pairs, estimates);
+    part.things = seenPoints(component, placeOf, pairs, estimates);
     return part;
 }
 
@@ -317,28 +323,47 @@ void report(const Part& part, FreePlaces& made) {
     made.ceilingM = ceilingAbove(part.bundle.positions(), made.pointsM);
 }
 
-/// Places the largest part that the estimates join.
-FreePlaces placesBy(std::span<const PairEstimate> estimates, std::span<const PhotoPrior> photos,
-                    std::span<const PhotoPair> pairs, const FreeOptions& options, ProgressSink& progress,
-                    const std::stop_token& stop) {
+/// Adjusts the largest part that the estimates join. It is empty if they join none.
+Adjusted adjustedBy(std::span<const PairEstimate> estimates, std::span<const PhotoPrior> photos,
+                    std::span<const PhotoPair> pairs, ProgressSink& progress, const std::stop_token& stop) {
     progress.progress(0, "Averaging rotations");
-    FreePlaces made;
-    made.photos.resize(photos.size());
+    Adjusted result;
+    result.made.photos.resize(photos.size());
     const PoseGraph graph =
         poseGraph(static_cast<int>(photos.size()), estimates, photos.size() >= kChecked ? 1 : 0);
-    nameParts(graph, photos, made);
+    nameParts(graph, photos, result.made);
     if (graph.components.empty()) {
-        return made;
+        return result;
     }
-    Part part = startOf(graph.components.front(), photos, pairs, estimates, made);
-    if (part.photos.empty()) {
-        return made;
+    result.part = startOf(graph.components.front(), photos, pairs, estimates, result.made);
+    if (!result.part.photos.empty()) {
+        result.part.bundle.points = result.part.things;
+        ProgressStep step(progress, 0.05, 1);
+        Part& part = result.part;
+        adjust(part.bundle, part.priors, step, stop);
+        part.bundle.seen = meetingPoints(part.bundle, part.things, part.bundle.scale);
     }
-    ProgressStep step(progress, 0.05, 0.95);
-    adjust(part.bundle, part.priors, step, stop);
-    placeInRoom(part, options, made);
-    report(part, made);
-    return made;
+    return result;
+}
+
+FreePlaces placesOf(Adjusted adjusted, const FreeOptions& options) {
+    if (!adjusted.part.photos.empty()) {
+        placeInRoom(adjusted.part, options, adjusted.made);
+        report(adjusted.part, adjusted.made);
+    }
+    return std::move(adjusted.made);
+}
+
+void refine(Part& part, const FreeOptions& options, ProgressSink& progress, const std::stop_token& stop) {
+    const auto picture = [&](int place, int width) {
+        return options.picture(part.photos[static_cast<std::size_t>(place)], width);
+    };
+    ProgressStep compare(progress, 0, 0.5);
+    refineRays(part.bundle, picture, options.threads, compare, stop);
+    ProgressStep again(progress, 0.5, 1);
+    const double scale = part.bundle.scale; // Of what features see.
+    adjust(part.bundle, part.priors, again, stop);
+    part.bundle.seen = meetingPoints(part.bundle, part.things, scale);
 }
 
 /// The estimates that join no photos of different parts. Empty if there is but one part.
@@ -360,24 +385,28 @@ std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::span<const
 FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<const PhotoPrior> photos,
                            std::span<const PhotoPair> pairs, const FreeOptions& options,
                            ProgressSink& progress, const std::stop_token& stop) {
-    ProgressStep first(progress, 0, 0.5);
-    FreePlaces made = placesBy(estimates, photos, pairs, options, first, stop);
-    PlaceAgreement agreement(made, pairs);
-    const std::vector<int> parts = agreement.parts(kOnePlaceShare);
-    if (const auto certain = cutBetween(parts, estimates); !certain.empty()) {
-        ProgressStep second(progress, 0.5, 1);
-        made = placesBy(certain, photos, pairs, options, second, stop);
-        agreement = PlaceAgreement(made, pairs);
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (parts[i] > 0 && !made.photos[i].roomFromPhoto) {
-                made.photos[i].why =
-                    "It shows some things that the largest part shows, but not what stands "
-                    "around them: it seems to be of another place that looks alike. Leave it "
-                    "out, or take photos between it and the others.";
-            }
+    ProgressStep first(progress, 0, 0.3);
+    Adjusted adjusted = adjustedBy(estimates, photos, pairs, first, stop);
+    FreePlaces made = placesOf(adjusted, options);
+    const std::vector<int> parts = PlaceAgreement(made, pairs).parts(kOnePlaceShare);
+    const std::vector<PairEstimate> certain = cutBetween(parts, estimates);
+    if (!certain.empty()) {
+        ProgressStep second(progress, 0.3, 0.6);
+        adjusted = adjustedBy(certain, photos, pairs, second, stop);
+    }
+    if (options.picture && !adjusted.part.photos.empty()) {
+        ProgressStep third(progress, 0.6, 1);
+        refine(adjusted.part, options, third, stop);
+    }
+    made = placesOf(std::move(adjusted), options);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!certain.empty() && parts[i] > 0 && !made.photos[i].roomFromPhoto) {
+            made.photos[i].why = "It shows some things that the largest part shows, but not what stands "
+                                 "around them: it seems to be of another place that looks alike. Leave it "
+                                 "out, or take photos between it and the others.";
         }
     }
-    doubtLooseParts(made, agreement, options.lensHeightM);
+    doubtLooseParts(made, PlaceAgreement(made, pairs), options.lensHeightM);
     return made;
 }
 

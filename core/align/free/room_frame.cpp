@@ -84,7 +84,8 @@ struct FoundPlane {
     std::size_t count = 0;
 };
 
-/// The level plane with the most points, by planes through three of them.
+/// The level plane with the most points, by planes through three of them, and by planes across `up` through
+/// one: where few points lie on the floor, hardly ever all three of them do.
 std::optional<FoundPlane> fullestPlane(std::span<const Eigen::Vector3d> photos,
                                        std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& up,
                                        double leastCosine, FixedRandom& random) {
@@ -92,6 +93,13 @@ std::optional<FoundPlane> fullestPlane(std::span<const Eigen::Vector3d> photos,
         return std::nullopt;
     }
     std::optional<FoundPlane> best;
+    const auto consider = [&](const Plane& plane) {
+        const double height = heightOver(plane, photos);
+        const std::size_t count = height > 0 ? onPlane(plane, points, kBand * height).size() : 0;
+        if (count > (best ? best->count : 0)) {
+            best = {plane, count};
+        }
+    };
     for (int draw = 0; draw < kDraws; ++draw) {
         std::array<Eigen::Vector3d, 3> corner;
         std::ranges::generate(corner, [&] { return points[random.below(points.size())]; });
@@ -99,14 +107,12 @@ std::optional<FoundPlane> fullestPlane(std::span<const Eigen::Vector3d> photos,
         if (normal.norm() < 1e-9 || std::abs(normal.normalized().dot(up)) < leastCosine) {
             continue;
         }
-        Plane plane;
-        plane.up = normal.normalized() * (normal.dot(up) < 0 ? -1 : 1);
-        plane.at = plane.up.dot(corner[0]);
-        const double height = heightOver(plane, photos);
-        const std::size_t count = height > 0 ? onPlane(plane, points, kBand * height).size() : 0;
-        if (count > (best ? best->count : 0)) {
-            best = {plane, count};
-        }
+        const Eigen::Vector3d upright = normal.normalized() * (normal.dot(up) < 0 ? -1 : 1);
+        consider({upright, upright.dot(corner[0])});
+    }
+    const std::size_t step = 1 + points.size() / kDraws;
+    for (std::size_t i = 0; i < points.size(); i += step) {
+        consider({up, up.dot(points[i])});
     }
     return best;
 }

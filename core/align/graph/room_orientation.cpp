@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "graph/room_orientation.h"
-
+#include "graph/pose_graph.h"
 #include "pairs/pair_geometry.h"
 
 #include "spherewalk/geometry/angle.h"

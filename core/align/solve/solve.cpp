@@ -2,7 +2,6 @@
 #include "spherewalk/align/solve.h"
 
 #include "graph/pose_graph.h"
-#include "graph/room_orientation.h"
 #include "solve/component_solver.h"
 #include "solve/match_selection.h"
 #include "solve/solution_report.h"

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/base/error.h"
+#include "spherewalk/base/file.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/align_survey.h"
 #include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
+#include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -205,6 +208,12 @@ align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptio
     }
     made.tagSizeM = options.tagSizeM;
     made.knownTags = options.knownTags;
+    std::vector<std::string> files;
+    std::ranges::transform(photos, std::back_inserter(files), &AlignedPhoto::file);
+    made.picture = [folder = store.photoFolder(), files = std::move(files)](int photo, int width) {
+        const std::string& file = files[static_cast<std::size_t>(photo)];
+        return jpeg::decodeAtLeast(readFile(folder / file), file, width);
+    };
     return made;
 }
 

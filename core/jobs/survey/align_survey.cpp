@@ -73,7 +73,7 @@ class AlignRun {
         matchPhotos();
         PlacesSoFar result;
         std::ranges::transform(m_photos, std::back_inserter(result.photos), &store::PhotoRecord::id);
-        result.places = freePlaces();
+        result.places = freePlaces(false); // In a moment, while people walk.
         return result;
     }
 
@@ -306,17 +306,18 @@ class AlignRun {
         }
     }
 
-    align::FreePlaces freePlaces() {
+    align::FreePlaces freePlaces(bool comparesPictures) {
         ProgressStep step(m_progress, 0.86, 0.9);
         align::FreeOptions options = freeOptions(m_store, m_options, m_report.photos);
         options.tags = m_aprilTags;
+        options.picture = comparesPictures ? options.picture : nullptr;
         align::FreePlaces places = align::freePlaces(m_priors, m_pairs, m_estimates, options, step, m_stop);
         keepFrame(m_store, m_photos, places);
         return places;
     }
 
     void solveFree() {
-        m_report.places = freePlaces();
+        m_report.places = freePlaces(true);
         usePlaces(*m_report.places, m_priors, m_estimates);
         m_tagged = m_priors;
         solvePoses(0.9, 0.98);
@@ -326,7 +327,7 @@ class AlignRun {
     /// Whether the pictures say where the photos stand, and most tags agree.
     bool solveNearTags() {
         m_tagged = m_priors;
-        const align::FreePlaces places = freePlaces();
+        const align::FreePlaces places = freePlaces(true);
         const std::optional<FrameSigma> frame = usePlacesByTags(places, m_priors);
         if (frame) {
             solvePoses(0.9, 0.98, frame);

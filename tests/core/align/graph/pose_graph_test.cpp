@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_error.h"
-#include "graph/room_orientation.h"
+#include "graph/pose_graph.h"
 #include "made/simulated_survey.h"
 
 #include "spherewalk/geometry/rotation.h"
