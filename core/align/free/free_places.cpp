@@ -398,7 +398,9 @@ FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<co
         ProgressStep third(progress, 0.6, 1);
         refine(adjusted.part, options, third, stop);
     }
-    made = placesOf(std::move(adjusted), options);
+    if (!certain.empty() || options.picture) {
+        made = placesOf(std::move(adjusted), options);
+    }
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (!certain.empty() && parts[i] > 0 && !made.photos[i].roomFromPhoto) {
             made.photos[i].why = "It shows some things that the largest part shows, but not what stands "
