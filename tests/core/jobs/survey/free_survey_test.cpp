@@ -48,7 +48,9 @@ TEST_F(FreeSurvey, PhotosWithoutPositionsGetStationsWhosePlaceIsNotKnown) {
     EXPECT_EQ(report.imported, 6);
     EXPECT_EQ(report.unknownPlaces, 6);
     for (const store::PhotoRecord& photo : store.photos()) {
-        EXPECT_THAT(store.station(photo.station).name, StartsWith("unknown place of H"));
+        const store::StationRecord station = store.station(photo.station);
+        EXPECT_THAT(station.name, StartsWith("unknown place of H"));
+        EXPECT_EQ(priorOf(store, photo, station, 0.01, noProgress()).name, photo.fileName); // Not twice.
         EXPECT_FALSE(store.station(photo.station).isPlaceKnown);
         EXPECT_FALSE(photo::readPositionTag(readFile(store.photoFolder() / photo.fileName), photo.fileName));
     }
