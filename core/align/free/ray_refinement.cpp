@@ -32,8 +32,8 @@ constexpr double kMostBytes = 1e9;   ///< Of all photos together.
 class PhotoSizes {
   public:
     PhotoSizes(const RgbImage& photo, int width) {
-        const GreyImage full = grey(photo);
-        cv::Mat size(full.height(), full.width(), CV_8U, const_cast<std::uint8_t*>(full.at(0, 0)));
+        GreyImage full = grey(photo);
+        const cv::Mat size(full.height(), full.width(), CV_8U, full.at(0, 0));
         cv::resize(size, m_sizes.front(), {std::min(width, full.width()), std::min(width, full.width()) / 2},
                    0, 0, cv::INTER_AREA);
         for (std::size_t i = 1; i < m_sizes.size(); ++i) {
@@ -56,7 +56,8 @@ class PhotoSizes {
     std::array<cv::Mat, 4> m_sizes;
 };
 
-/// The picture's value in this direction, between its pixels.
+/// The picture's value in this direction, between its pixels. OpenCV's remap() would round places to a 32nd
+/// of a pixel.
 float sampled(const cv::Mat& picture, const Eigen::Vector3d& inPhoto) {
     const Eigen::Vector2d at = pixel({picture.cols, picture.rows}, inPhoto);
     const double left = std::floor(at.x());

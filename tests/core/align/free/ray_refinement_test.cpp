@@ -110,8 +110,8 @@ PatternRoom patternRoom() {
     test::Random random(7);
     for (int i = 0; i < 8; ++i) {
         room.addThing({2, -0.7 + 0.2 * i, 1.2 + 0.1 * i}, random);
-        room.addThing({-2, -0.8 + 0.2 * i, 1.1 + 0.1 * i},
-                      random); // the seam of the photo that is not turned
+        // The seam of the photo that is not turned.
+        room.addThing({-2, -0.8 + 0.2 * i, 1.1 + 0.1 * i}, random);
         room.addThing({-0.8 + 0.25 * i, 0.1 * i, 3}, random);
         room.addThing({-0.8 + 0.25 * i, -0.1 * i, 0}, random);
     }

@@ -127,12 +127,12 @@ struct FreePlaces {
 
 /// Solves where photos were taken from nothing but the pictures. The largest part that the pairs connect is
 /// placed: rotations are averaged, then lengths and positions, then all of them are adjusted with the points
-/// that the photos see. The frame: the floor is z = 0, the first placed photo stands at x = y = 0, and the
-/// walls that are seen most lie along x and y. Known tags give their own frame in place of that. Positions of
-/// the priors are not used.
+/// that the photos see, and once more with what their pictures show of these points. The frame: the floor is
+/// z = 0, the first placed photo stands at x = y = 0, and the walls that are seen most lie along x and y.
+/// Known tags give their own frame in place of that. Positions of the priors are not used.
 ///
-/// estimates: one a pair. Errors: InvalidInput; Stopped. Stop: heard at each solver iteration. Threads: the
-/// same result for any number. Source: `resources/docs/alignment.md`.
+/// estimates: one a pair. Errors: InvalidInput; Stopped; those of reading a picture. Stop: heard at each
+/// solver iteration. Threads: the same result for any number. Source: `resources/docs/alignment.md`.
 FreePlaces freePlaces(std::span<const PhotoPrior> photos, std::span<const PhotoPair> pairs,
                       std::span<const PairEstimate> estimates, const FreeOptions& options,
                       ProgressSink& progress, const std::stop_token& stop);
