@@ -168,6 +168,11 @@ void chooseNewest(Database& database, std::int64_t station) {
 
 } // namespace
 
+std::string photoAtStation(std::string_view fileName, std::string_view station) {
+    const bool isNamedAfterIt = station.ends_with(text("place of ", fileName));
+    return isNamedAfterIt ? std::string(fileName) : text(fileName, " (", station, ")");
+}
+
 void SurveyStore::Parts::requirePhoto(std::int64_t photo) const {
     if (!db().query("SELECT 1 FROM photo WHERE id = ?", photo).step()) {
         failNotFound("photo", photo);

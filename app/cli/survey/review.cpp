@@ -94,7 +94,7 @@ Result listedPhotos(const store::SurveyStore& store) {
                           {"decision", name(review.decision)},
                           {"note", review.note}});
         if (found != reviews.end()) {
-            lines += text("\n", photo.fileName, " (", station, "): ", name(review.decision),
+            lines += text("\n", store::photoAtStation(photo.fileName, station), ": ", name(review.decision),
                           review.note.empty() ? "" : ", ", review.note);
         }
     }

@@ -10,6 +10,10 @@
 #include <Eigen/Cholesky>
 #include <ceres/ceres.h>
 
+#if __has_include(<glog/logging.h>)
+#include <glog/logging.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -234,6 +238,15 @@ ceres::Solver::Options solverOptions(const RefinementOptions& options) {
 }
 
 } // namespace
+
+SolverWatch::SolverWatch(ProgressSink& progress, const std::stop_token& stop, int iterations,
+                         std::string_view what)
+    : m_progress(progress), m_stop(stop), m_iterations(iterations), m_what(what) {
+#if __has_include(<glog/logging.h>)
+    // Whatever its options say, Ceres warns on stderr of each step that it cannot compute and tries shorter.
+    [[maybe_unused]] static const int quiet = (FLAGS_minloglevel = google::GLOG_ERROR);
+#endif
+}
 
 ceres::CallbackReturnType SolverWatch::operator()(const ceres::IterationSummary& summary) {
     m_progress.progress(std::min(1.0, (summary.iteration + 1.0) / (m_iterations + 1)), m_what);

@@ -126,8 +126,7 @@ class PairBlock : public ceres::CostFunction {
 /// Tells how far a solver is, and ends it when asked. Owner: what it is given must outlive it.
 class SolverWatch : public ceres::IterationCallback {
   public:
-    SolverWatch(ProgressSink& progress, const std::stop_token& stop, int iterations, std::string_view what)
-        : m_progress(progress), m_stop(stop), m_iterations(iterations), m_what(what) {}
+    SolverWatch(ProgressSink& progress, const std::stop_token& stop, int iterations, std::string_view what);
 
     ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
 

@@ -3,6 +3,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/align_survey.h"
+#include "spherewalk/store/records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,7 +197,7 @@ std::string alignText(const AlignReport& report) {
     }
     for (const AlignedPhoto& photo : report.photos) {
         for (const std::string& flag : photo.flags) {
-            words += text("\n", photo.file, " (", photo.station, "): ", flag);
+            words += text("\n", store::photoAtStation(photo.file, photo.station), ": ", flag);
         }
     }
     return words;

@@ -344,8 +344,7 @@ align::PhotoPrior priorOf(const store::SurveyStore& store, const store::PhotoRec
     constexpr Degrees kStatedTiltSigma(1);
     constexpr Degrees kLevelledTiltSigma(0.5);
     align::PhotoPrior prior;
-    const bool isNamedAfterIt = station.name.ends_with(text("place of ", photo.cameraFileName));
-    prior.name = isNamedAfterIt ? photo.fileName : text(photo.fileName, " (", station.name, ")");
+    prior.name = store::photoAtStation(photo.fileName, station.name);
     prior.positionM = photo.positionM;
     prior.positionSigmaM = positionSigmaM;
     prior.placement = station.station.placement;

@@ -200,7 +200,7 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
     std::size_t turnedCount = 0;
     for (store::PhotoRecord& photo : store.keptPhotos()) {
         const store::StationRecord station = store.station(photo.station);
-        const std::string name = text(photo.fileName, " (", station.name, ")");
+        const std::string name = store::photoAtStation(photo.fileName, station.name);
         if (!failed.contains(photo.id) && station.isPlaceKnown) {
             if (inDoubt.contains(photo.id)) {
                 turned += text(turnedCount++ == 0 ? "" : ", ", name);
@@ -251,8 +251,8 @@ std::string placesInDoubt(const store::SurveyStore& store) {
             });
         if (isElsewhere) {
             ++count;
-            names +=
-                text(count == 1 ? "" : ", ", photo.fileName, " (", store.station(photo.station).name, ")");
+            names += text(count == 1 ? "" : ", ",
+                          store::photoAtStation(photo.fileName, store.station(photo.station).name));
         }
     }
     return count == 0 ? ""

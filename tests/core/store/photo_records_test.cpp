@@ -143,4 +143,12 @@ TEST_F(PhotoRecords, ReplaceNamesThatAreNoFiles) {
     EXPECT_EQ(m_store.freePhotoName(std::string(300, 'x'), hash), "photo.JPG");
 }
 
+TEST(PhotoAtStation, IsNamedOnce) {
+    EXPECT_EQ(photoAtStation("R1.JPG", "rail 3, stop 5"), "R1.JPG (rail 3, stop 5)");
+    EXPECT_EQ(photoAtStation("R1.JPG", "unknown place of R1.JPG"), "R1.JPG");
+    EXPECT_EQ(photoAtStation("R1.JPG", "place of R1.JPG"), "R1.JPG");
+    EXPECT_EQ(photoAtStation("R1.JPG", "place of R11.JPG"), "R1.JPG (place of R11.JPG)");
+    EXPECT_EQ(photoAtStation("R1_0123abcd.JPG", "place of R1.JPG"), "R1_0123abcd.JPG (place of R1.JPG)");
+}
+
 } // namespace spherewalk::store

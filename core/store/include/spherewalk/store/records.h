@@ -36,6 +36,10 @@ struct StationRecord {
     bool isPlaceKnown = true;
 };
 
+/// What sentences call a photo: "R0010001.JPG (rail 3, stop 5)"; the file alone if its station is named after
+/// it.
+std::string photoAtStation(std::string_view fileName, std::string_view station);
+
 /// Who says what the room of a survey without rails is.
 enum class RoomOrigin {
     Solved, ///< The photos, as far as they are solved.
