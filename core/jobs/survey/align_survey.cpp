@@ -117,8 +117,9 @@ class AlignRun {
         std::vector<align::PhotoFile> files;
         for (const int photo : photos) {
             const auto i = static_cast<std::size_t>(photo);
+            // A new position tag changes the file, but none of its pixels.
             files.push_back(
-                {m_store.photoFolder() / m_photos[i].fileName, m_priors[i].name, m_photos[i].fileSha256});
+                {m_store.photoFolder() / m_photos[i].fileName, m_priors[i].name, m_photos[i].cameraSha256});
         }
         return files;
     }

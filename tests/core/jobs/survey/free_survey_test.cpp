@@ -139,7 +139,8 @@ TEST_F(FreeSurvey, ASecondAlignmentKeepsTheFrameAndTheRoomThatSomebodyDrew) {
     survey::Room room = store.room();
     room.outline = {{0, -10}, {14, -10}, {14, 4}, {0, 4}};
     store.replaceRoom(room, store::RoomOrigin::Drawn);
-    alignSurvey(store, options, noProgress(), {});
+    const AlignReport again = alignSurvey(store, options, noProgress(), {});
+    EXPECT_EQ(again.fromCache, 6) << "other tags make no other pictures";
     EXPECT_EQ(store.room().outline, room.outline);
     for (std::size_t i = 0; i < places.size(); ++i) {
         EXPECT_LT((store.station(places[i].station).station.positionM - places[i].positionM).norm(), 0.005)

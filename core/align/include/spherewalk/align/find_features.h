@@ -39,8 +39,10 @@ class FeatureCache {
 /// A photo's JPEG on disk.
 struct PhotoFile {
     std::filesystem::path file;
-    std::string name;   ///< The name that sentences for people use.
-    std::string sha256; ///< Of the file. If empty, it is computed where the cache needs it.
+    std::string name; ///< The name that sentences for people use.
+    /// Of the file, or of another with the same pixels. If empty, the file's is computed where the cache
+    /// needs it.
+    std::string sha256;
 };
 
 struct FindOptions {
