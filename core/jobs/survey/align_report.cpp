@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace spherewalk::jobs {
@@ -131,6 +132,26 @@ Json placesJson(const align::FreePlaces& places) {
             {"ceiling_m", places.ceilingM}};
 }
 
+/// What is said of photos, a line a sentence: before it stand all photos of which it is said.
+std::string flagsText(const AlignReport& report) {
+    std::vector<std::string> flags;
+    std::map<std::string, std::string> photosOf;
+    for (const AlignedPhoto& photo : report.photos) {
+        for (const std::string& flag : photo.flags) {
+            std::string& photos = photosOf[flag];
+            if (photos.empty()) {
+                flags.push_back(flag);
+            }
+            photos += text(photos.empty() ? "" : ", ", store::photoAtStation(photo.file, photo.station));
+        }
+    }
+    std::string words;
+    for (const std::string& flag : flags) {
+        words += text("\n", photosOf.at(flag), ": ", flag);
+    }
+    return words;
+}
+
 } // namespace
 
 std::string_view name(Cure cure) {
@@ -195,12 +216,7 @@ std::string alignText(const AlignReport& report) {
         words += text("\nPersons were not looked for in ", report.notSearched, " of ", report.photos.size(),
                       " photos: no other photo with a well-known pose stands between 8 cm and 3 m away.");
     }
-    for (const AlignedPhoto& photo : report.photos) {
-        for (const std::string& flag : photo.flags) {
-            words += text("\n", store::photoAtStation(photo.file, photo.station), ": ", flag);
-        }
-    }
-    return words;
+    return words + flagsText(report);
 }
 
 } // namespace spherewalk::jobs

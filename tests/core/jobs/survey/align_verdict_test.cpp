@@ -114,4 +114,18 @@ TEST_F(AlignVerdicts, BlameAPhotoThatSharesTooLittleOfWhatWasSolved) {
     EXPECT_EQ(report.photos[4].cure, Cure::Retake);
 }
 
+TEST_F(AlignVerdicts, AreSaidOnceOfAllPhotosTogether) {
+    for (AlignedPhoto& photo : report.photos) {
+        photo.file = "R" + std::to_string(photo.photo) + ".JPG";
+        photo.station = "place of " + photo.file;
+    }
+    report.photos[1].flags = {"It is alone.", "It is dark."};
+    report.photos[2].flags = {"It is dark."};
+    report.photos[6].flags = {"It is alone."};
+    report.photos[6].station = "rail 2, stop 1";
+    EXPECT_THAT(
+        alignText(report),
+        testing::EndsWith("\nR2.JPG, R7.JPG (rail 2, stop 1): It is alone.\nR2.JPG, R3.JPG: It is dark."));
+}
+
 } // namespace spherewalk::jobs
