@@ -134,20 +134,25 @@ Json placesJson(const align::FreePlaces& places) {
 
 /// What is said of photos, a line a sentence: before it stand all photos of which it is said.
 std::string flagsText(const AlignReport& report) {
-    std::vector<std::string> flags;
-    std::map<std::string, std::string> photosOf;
+    struct Said {
+        std::string_view flag;
+        std::string photos = {};
+        int count = 0;
+    };
+
+    std::vector<Said> all;
+    std::map<std::string_view, std::size_t> places;
     for (const AlignedPhoto& photo : report.photos) {
         for (const std::string& flag : photo.flags) {
-            std::string& photos = photosOf[flag];
-            if (photos.empty()) {
-                flags.push_back(flag);
-            }
-            photos += text(photos.empty() ? "" : ", ", store::photoAtStation(photo.file, photo.station));
+            const auto [place, isNew] = places.emplace(flag, all.size());
+            Said& said = isNew ? all.emplace_back(Said{.flag = flag}) : all[place->second];
+            said.photos +=
+                text(said.count++ == 0 ? "" : ", ", store::photoAtStation(photo.file, photo.station));
         }
     }
     std::string words;
-    for (const std::string& flag : flags) {
-        words += text("\n", photosOf.at(flag), ": ", flag);
+    for (const Said& said : all) {
+        words += text("\n", said.photos, said.count > 1 ? ", each: " : ": ", said.flag);
     }
     return words;
 }
@@ -207,8 +212,11 @@ std::string alignText(const AlignReport& report) {
         text("Aligned ", good + doubtful, " of ", report.photos.size(), " photos in ",
              secondsText(report.seconds), " (features ", secondsText(report.featureSeconds), ", matching ",
              secondsText(report.matchSeconds), ", solving ", secondsText(report.solveSeconds), "): ", good,
-             " good, ", doubtful, " doubtful, ", countOf(survey::Quality::Failed, report), " failed.\n",
-             "Model ", name(report.alignment.model), ". ", report.alignment.reason, "\n", knownText(report));
+             " good, ", doubtful, " doubtful, ", countOf(survey::Quality::Failed, report), " failed.\n");
+    if (good + doubtful > 0) {
+        words += text("Model ", name(report.alignment.model), ". ", report.alignment.reason, "\n");
+    }
+    words += knownText(report);
     for (const std::string& warning : report.alignment.warnings) {
         words += "\n" + warning;
     }

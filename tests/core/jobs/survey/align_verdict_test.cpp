@@ -125,7 +125,8 @@ TEST_F(AlignVerdicts, AreSaidOnceOfAllPhotosTogether) {
     report.photos[6].station = "rail 2, stop 1";
     EXPECT_THAT(
         alignText(report),
-        testing::EndsWith("\nR2.JPG, R7.JPG (rail 2, stop 1): It is alone.\nR2.JPG, R3.JPG: It is dark."));
+        testing::EndsWith(
+            "\nR2.JPG, R7.JPG (rail 2, stop 1), each: It is alone.\nR2.JPG, R3.JPG, each: It is dark."));
 }
 
 } // namespace spherewalk::jobs
