@@ -169,8 +169,18 @@ void chooseNewest(Database& database, std::int64_t station) {
 } // namespace
 
 std::string photoAtStation(std::string_view fileName, std::string_view station) {
-    const bool isNamedAfterIt = station.ends_with(text("place of ", fileName));
-    return isNamedAfterIt ? std::string(fileName) : text(fileName, " (", station, ")");
+    constexpr std::string_view kPlace = "place of ";
+    const std::size_t place = station.find(kPlace);
+    if (place != station.npos) {
+        const fs::path file(fileName);
+        const fs::path namesake(station.substr(place + kPlace.size()));
+        const bool isLonger = file.extension() == namesake.extension() && // as freePhotoName() makes it
+                              file.stem().string().starts_with(namesake.stem().string() + "_");
+        if (file == namesake || isLonger) {
+            return file.string();
+        }
+    }
+    return text(fileName, " (", station, ")");
 }
 
 void SurveyStore::Parts::requirePhoto(std::int64_t photo) const {

@@ -148,7 +148,8 @@ TEST(PhotoAtStation, IsNamedOnce) {
     EXPECT_EQ(photoAtStation("R1.JPG", "unknown place of R1.JPG"), "R1.JPG");
     EXPECT_EQ(photoAtStation("R1.JPG", "place of R1.JPG"), "R1.JPG");
     EXPECT_EQ(photoAtStation("R1.JPG", "place of R11.JPG"), "R1.JPG (place of R11.JPG)");
-    EXPECT_EQ(photoAtStation("R1_0123abcd.JPG", "place of R1.JPG"), "R1_0123abcd.JPG (place of R1.JPG)");
+    EXPECT_EQ(photoAtStation("R1_0123abcd.JPG", "place of R1.JPG"), "R1_0123abcd.JPG");
+    EXPECT_EQ(photoAtStation("_1", "in the middle"), "_1 (in the middle)");
 }
 
 } // namespace spherewalk::store
