@@ -289,11 +289,12 @@ TEST_F(CaptureDeskTest, AStalledCameraDoesNotHoldTheWindow) {
     const test::StalledServer server;
     desk().connectTo(server.address());
     ASSERT_EQ(desk().state(), State::Connecting);
-    const test::EventLoopGap gap;
-    waitUntil([&] { return gap.beats() > 500; });
-    EXPECT_EQ(desk().state(), State::Connecting); // it does hang
-    EXPECT_LT(gap.longestMs(), test::kMostHeldMs);
-    RecordProperty("longest_gap_ms", std::to_string(gap.longestMs()));
+    const double heldMs = test::heldMs([this](const test::EventLoopGap& gap) {
+        waitUntil([&] { return gap.beats() > 500; });
+        EXPECT_EQ(desk().state(), State::Connecting); // it does hang
+    });
+    EXPECT_LT(heldMs, test::kMostHeldMs);
+    RecordProperty("longest_gap_ms", std::to_string(heldMs));
     desk().stop();
     waitFor(State::NoCamera);
 }
