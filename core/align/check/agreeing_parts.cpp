@@ -186,4 +186,25 @@ std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<cons
     return partOf;
 }
 
+std::vector<int>
+rejoinedParts(std::vector<int> parts,
+              const std::function<std::vector<int>(const std::vector<int>& parts)>& partsWhereCut) {
+    constexpr int kLeastPhotos = 3;
+    const int count = parts.empty() ? 0 : 1 + *std::ranges::max_element(parts);
+    if (count <= 2) {
+        return parts; // Nothing else bends the second.
+    }
+    for (int part = 1; part < count && std::ranges::count(parts, part) >= kLeastPhotos; ++part) {
+        std::vector<int> trial = parts;
+        std::ranges::replace(trial, part, 0);
+        const std::vector<int> agreeing = partsWhereCut(trial);
+        bool isOne = true;
+        for (std::size_t photo = 0; photo < trial.size(); ++photo) {
+            isOne = isOne && (trial[photo] != 0 || agreeing[photo] == 0);
+        }
+        parts = isOne ? trial : parts;
+    }
+    return parts;
+}
+
 } // namespace spherewalk::align

@@ -388,7 +388,12 @@ FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<co
     ProgressStep first(progress, 0, 0.3);
     Adjusted adjusted = adjustedBy(estimates, photos, pairs, first, stop);
     FreePlaces made = placesOf(adjusted, options);
-    const std::vector<int> parts = PlaceAgreement(made, pairs).parts(kOnePlaceShare);
+    const auto partsWhereCut = [&](const std::vector<int>& trial) {
+        Adjusted apart = adjustedBy(cutBetween(trial, estimates), photos, pairs, noProgress(), stop);
+        return PlaceAgreement(placesOf(std::move(apart), options), pairs).parts(kOnePlaceShare);
+    };
+    const std::vector<int> parts =
+        rejoinedParts(PlaceAgreement(made, pairs).parts(kOnePlaceShare), partsWhereCut);
     const std::vector<PairEstimate> certain = cutBetween(parts, estimates);
     if (!certain.empty()) {
         ProgressStep second(progress, 0.3, 0.6);

@@ -253,4 +253,30 @@ TEST_F(AgreeingParts, RefuseListsOfDifferentLengths) {
                 [&] { photoAgreements(survey.roomFromPhoto, survey.pairs, {}); });
 }
 
+// The third part is of another place. While it is there, the second seems to be elsewhere as well.
+TEST(RejoinedParts, AreThoseThatAgreeOnceNothingElseBendsThem) {
+    const std::vector<int> found = {0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, -1};
+    std::vector<std::vector<int>> tried;
+    const auto partsWhereCut = [&](const std::vector<int>& parts) {
+        tried.push_back(parts);
+        return parts[9] == 0 ? found : parts;
+    };
+    const std::vector<int> joined = {0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, -1};
+    EXPECT_EQ(rejoinedParts(found, partsWhereCut), joined);
+    ASSERT_EQ(tried.size(), 2U); // the larger one first, and then the other with it
+    EXPECT_EQ(tried[0], joined);
+    EXPECT_EQ(tried[1], (std::vector{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1}));
+}
+
+TEST(RejoinedParts, AreNotTriedWhereNothingElseBends) {
+    const auto never = [](const std::vector<int>&) -> std::vector<int> {
+        ADD_FAILURE();
+        return {};
+    };
+    for (const std::vector<int>& parts :
+         {std::vector<int>{}, {-1}, {0, 0, 0, 1, 1, 1, -1}, {0, 0, 0, 1, 1, 2, 3}}) {
+        EXPECT_EQ(rejoinedParts(parts, never), parts);
+    }
+}
+
 } // namespace spherewalk::align

@@ -4,6 +4,7 @@
 #include "spherewalk/align/photo_pair.h"
 #include "spherewalk/geometry/rigid3.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -57,5 +58,13 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 /// placed.
 std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<const PhotoAgreement> agreements,
                                double leastShare, double besideM = kBesideM);
+
+/// Joins to the largest part the others of three photos and more that agree with it alone, the larger ones
+/// first: what is of another place bends, before it is cut off, how the rooms of one place stand to each
+/// other, and these then seem to be several places. partsWhereCut: what agreeingParts() returns for the poses
+/// without any pair between different parts. Numbers of parts that were joined are left out.
+std::vector<int>
+rejoinedParts(std::vector<int> parts,
+              const std::function<std::vector<int>(const std::vector<int>& parts)>& partsWhereCut);
 
 } // namespace spherewalk::align
