@@ -190,13 +190,15 @@ std::vector<int>
 rejoinedParts(std::vector<int> parts,
               const std::function<std::vector<int>(const std::vector<int>& parts)>& partsWhereCut) {
     constexpr int kLeastPhotos = 3;
-    const int count = parts.empty() ? 0 : 1 + *std::ranges::max_element(parts);
-    if (count <= 2) {
-        return parts; // Nothing else bends the second.
-    }
-    for (int part = 1; part < count && std::ranges::count(parts, part) >= kLeastPhotos; ++part) {
+    const auto hasOthers = [](const std::vector<int>& some) {
+        return std::ranges::any_of(some, [](int part) { return part > 0; });
+    };
+    for (int part = 1; std::ranges::count(parts, part) >= kLeastPhotos; ++part) {
         std::vector<int> trial = parts;
         std::ranges::replace(trial, part, 0);
+        if (!hasOthers(trial)) {
+            break; // All together do not agree: that is how the parts were found.
+        }
         const std::vector<int> agreeing = partsWhereCut(trial);
         bool isOne = true;
         for (std::size_t photo = 0; photo < trial.size(); ++photo) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace spherewalk::align {
 
@@ -366,21 +367,6 @@ void refine(Part& part, const FreeOptions& options, ProgressSink& progress, cons
     part.bundle.seen = meetingPoints(part.bundle, part.things, scale);
 }
 
-/// The estimates that join no photos of different parts. Empty if there is but one part.
-std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::span<const PairEstimate> estimates) {
-    std::vector<PairEstimate> cut(estimates.begin(), estimates.end());
-    bool isAnyCut = false;
-    for (PairEstimate& estimate : cut) {
-        const int partOfA = parts[static_cast<std::size_t>(estimate.a)];
-        const int partOfB = parts[static_cast<std::size_t>(estimate.b)];
-        if (partOfA >= 0 && partOfB >= 0 && partOfA != partOfB) {
-            estimate.verdict = PairVerdict::NoAgreement;
-            isAnyCut = true;
-        }
-    }
-    return isAnyCut ? cut : std::vector<PairEstimate>();
-}
-
 /// What is there twice, as furniture is, may join photos of two places, or bend a place.
 FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<const PhotoPrior> photos,
                            std::span<const PhotoPair> pairs, const FreeOptions& options,
@@ -388,16 +374,24 @@ FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<co
     ProgressStep first(progress, 0, 0.3);
     Adjusted adjusted = adjustedBy(estimates, photos, pairs, first, stop);
     FreePlaces made = placesOf(adjusted, options);
+    std::vector<int> cutInto; // The parts whose pairs the last adjustment did without.
+    double begin = 0.3;
+    const auto adjustWithout = [&](std::span<const PairEstimate> certain, const std::vector<int>& parts) {
+        const double end = std::midpoint(begin, 0.6); // How many will be tried is not known.
+        ProgressStep step(progress, begin, end);
+        adjusted = adjustedBy(certain, photos, pairs, step, stop);
+        cutInto = parts;
+        begin = end;
+    };
     const auto partsWhereCut = [&](const std::vector<int>& trial) {
-        Adjusted apart = adjustedBy(cutBetween(trial, estimates), photos, pairs, noProgress(), stop);
-        return PlaceAgreement(placesOf(std::move(apart), options), pairs).parts(kOnePlaceShare);
+        adjustWithout(cutBetween(trial, estimates), trial);
+        return PlaceAgreement(placesOf(adjusted, options), pairs).parts(kOnePlaceShare);
     };
     const std::vector<int> parts =
         rejoinedParts(PlaceAgreement(made, pairs).parts(kOnePlaceShare), partsWhereCut);
     const std::vector<PairEstimate> certain = cutBetween(parts, estimates);
-    if (!certain.empty()) {
-        ProgressStep second(progress, 0.3, 0.6);
-        adjusted = adjustedBy(certain, photos, pairs, second, stop);
+    if (!certain.empty() && parts != cutInto) {
+        adjustWithout(certain, parts);
     }
     if (options.picture && !adjusted.part.photos.empty()) {
         ProgressStep third(progress, 0.6, 1);

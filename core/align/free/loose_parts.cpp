@@ -151,6 +151,20 @@ std::vector<int> PlaceAgreement::parts(double leastShare) const {
     return agreeingParts(m_isPlaced, m_agreements, leastShare, m_isInMetres ? kBesideM : 0);
 }
 
+std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::span<const PairEstimate> estimates) {
+    std::vector<PairEstimate> cut(estimates.begin(), estimates.end());
+    bool isAnyCut = false;
+    for (PairEstimate& estimate : cut) {
+        const int partOfA = parts[static_cast<std::size_t>(estimate.a)];
+        const int partOfB = parts[static_cast<std::size_t>(estimate.b)];
+        if (partOfA >= 0 && partOfB >= 0 && partOfA != partOfB) {
+            estimate.verdict = PairVerdict::NoAgreement;
+            isAnyCut = true;
+        }
+    }
+    return isAnyCut ? cut : std::vector<PairEstimate>();
+}
+
 void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement, double lensHeightM) {
     tellSteps(roomsOf(places, agreement.parts(kRoomShare)), lensHeightM, places);
     const std::vector<int> sure = agreement.parts(kSurePlaceShare);

@@ -167,6 +167,9 @@ class PlaceAgreement {
     bool m_isInMetres = true;
 };
 
+/// The estimates that join no photos of different parts. Empty if they would be all.
+std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::span<const PairEstimate> estimates);
+
 /// Says it of photos that hang together with the largest part too loosely: little of what either side lets
 /// expect is seen from the other, or the floors of both lie at different heights, as where one side's lengths
 /// are wrong. Where a floor gave the scale, it is then that of the largest room. lensHeightM: of the photos.

@@ -255,17 +255,29 @@ TEST_F(AgreeingParts, RefuseListsOfDifferentLengths) {
 
 // The third part is of another place. While it is there, the second seems to be elsewhere as well.
 TEST(RejoinedParts, AreThoseThatAgreeOnceNothingElseBendsThem) {
-    const std::vector<int> found = {0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, -1};
+    const std::vector<int> found = {0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 3, -1};
     std::vector<std::vector<int>> tried;
     const auto partsWhereCut = [&](const std::vector<int>& parts) {
         tried.push_back(parts);
         return parts[9] == 0 ? found : parts;
     };
-    const std::vector<int> joined = {0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, -1};
+    const std::vector<int> joined = {0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, 3, -1};
     EXPECT_EQ(rejoinedParts(found, partsWhereCut), joined);
     ASSERT_EQ(tried.size(), 2U); // the larger one first, and then the other with it
     EXPECT_EQ(tried[0], joined);
-    EXPECT_EQ(tried[1], (std::vector{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1}));
+    EXPECT_EQ(tried[1], (std::vector{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, -1}));
+}
+
+// That all together do not agree is known.
+TEST(RejoinedParts, AreNeverAllOfThem) {
+    int tried = 0;
+    const auto alwaysOne = [&](const std::vector<int>& parts) {
+        ++tried;
+        return std::vector<int>(parts.size(), 0);
+    };
+    EXPECT_EQ(rejoinedParts({0, 0, 0, 1, 1, 1, 2, 2, 2}, alwaysOne),
+              (std::vector{0, 0, 0, 0, 0, 0, 2, 2, 2}));
+    EXPECT_EQ(tried, 1);
 }
 
 TEST(RejoinedParts, AreNotTriedWhereNothingElseBends) {
