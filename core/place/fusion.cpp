@@ -17,6 +17,7 @@ constexpr int kKeyBits = 21;
 constexpr std::int64_t kKeyBias = 1 << (kKeyBits - 1); ///< blocks to either side of the origin
 constexpr std::uint64_t kMostBytes = 4ULL << 30U;
 constexpr int kBlocksAGrain = 16;
+constexpr float kEdgeWeight = 0.03F; ///< of a vote where a photo's pixels show different things
 
 int blockCoordinate(int voxel) {
     return voxel >= 0 ? voxel / Volume::kSide : -((Volume::kSide - 1 - voxel) / Volume::kSide);
@@ -220,7 +221,7 @@ class Fusion {
         const float sigma = photo.sigmaM(sight.rangeM) / kReferenceM;
         const float distance = std::min(sight.rangeM - sight.pointM, m_truncationM);
         const float behind = std::max(-distance / m_truncationM, 0.0F);
-        return {distance, (1 - behind) / (sigma * sigma)};
+        return {distance, (sight.isEdge ? kEdgeWeight : 1.0F) * (1 - behind) / (sigma * sigma)};
     }
 
     float consensus(std::vector<Vote>& votes, float weight) const {

@@ -43,7 +43,7 @@ void SurfacePainter::add(const SeenDepth& depth, const RgbImage& picture, const 
             const auto i = static_cast<std::size_t>(k);
             const SurfaceVertex& vertex = m_surface.vertices[i];
             const Sight sight = depth.sight(vertex.pInRoom);
-            if (!vertex.isShownBy(depth, sight, m_withinM)) {
+            if (sight.isEdge || !vertex.isShownBy(depth, sight, m_withinM)) {
                 continue;
             }
             const Eigen::Vector3d ray = (eye - vertex.pInRoom).normalized();

@@ -19,12 +19,23 @@ constexpr std::size_t kNeighbours = 6;
 constexpr float kHereM = 0.05F;         ///< a point as near to a surface belongs to it
 constexpr float kLikelyBeyondM = 0.15F; ///< farther than this from a depth that is not sure it does not
 constexpr int kLikelyPhotos = 2;        ///< that are not sure and make a point occupied
+constexpr float kOutsideM = 0.15F;      ///< from a wall along the ray, beside two standard deviations
+constexpr int kMirrorPhotos = 3;        ///< that show something outside and make a point a mirror's
+constexpr double kFloorM = 0.05;        ///< from the floor, beside two standard deviations
 constexpr float kPi = std::numbers::pi_v<float>;
+
+/// Whether a photo shows the floor in a point's direction.
+bool isFloor(const SeenDepth& photo, const Eigen::Vector3d& pInRoom, const Sight& sight,
+             std::optional<double> floorM) {
+    const double z = photo.roomFromPhoto().translation.z();
+    const double seenZ = z + (pInRoom.z() - z) * static_cast<double>(sight.rangeM / sight.pointM);
+    return floorM.has_value() && std::abs(seenZ - *floorM) < kFloorM + 2 * photo.sigmaM(sight.rangeM);
+}
 
 } // namespace
 
 SeenDepth::SeenDepth(const render::DepthMap& depth, const Rigid3& roomFromPhoto, const LensPair& lenses,
-                     double baselineM)
+                     double baselineM, const render::RoomShape* room)
     : m_steps(depth.width(), depth.height()),
       m_roomFromPhoto(roomFromPhoto),
       m_photoFromRoom(roomFromPhoto.inverse()),
@@ -36,6 +47,23 @@ SeenDepth::SeenDepth(const render::DepthMap& depth, const Rigid3& roomFromPhoto,
     for (std::size_t i = 0; i < inverse.size(); ++i) {
         const auto steps = std::lround(static_cast<double>(inverse[i]) / render::DepthMap::kStepPerM);
         m_steps.values()[i] = static_cast<std::uint16_t>(steps | (sure[i] != 0 ? kSure : 0));
+    }
+    if (room != nullptr) {
+        dropOutside(*room);
+    }
+}
+
+void SeenDepth::dropOutside(const render::RoomShape& room) {
+    for (int y = 0; y < height(); ++y) {
+        for (int x = 0; x < width(); ++x) {
+            const Eigen::Vector3d ray = direction(EquirectSize{width(), height()}, Eigen::Vector2d(x, y));
+            const Eigen::Vector3d from = m_roomFromPhoto * m_lenses.place(ray);
+            const double wallM = 1 / render::inverseDistance(room, from, m_roomFromPhoto.rotation * ray);
+            std::uint16_t& steps = *m_steps.at(x, y);
+            const float range =
+                1 / (static_cast<float>(steps & ~kSure) * static_cast<float>(render::DepthMap::kStepPerM));
+            steps = range > wallM + kOutsideM + 2 * sigmaM(range) ? std::uint16_t{0} : steps;
+        }
     }
 }
 
@@ -60,11 +88,14 @@ Sight SeenDepth::sight(const Eigen::Vector3d& pInRoom) const {
     const auto steps = [&](std::size_t i) { return static_cast<float>(pixels[i] & ~kSure); };
     const auto [least, most] = std::minmax({steps(0), steps(1), steps(2), steps(3)});
     Sight sight{d.norm(), 0, (pixels[0] & pixels[1] & pixels[2] & pixels[3] & kSure) != 0};
-    if (most <= kMostJump * least) {
-        const float inverse =
-            (steps(0) * (1 - x) + steps(1) * x) * (1 - y) + (steps(2) * (1 - x) + steps(3) * x) * y;
-        sight.rangeM = 1 / (inverse * static_cast<float>(render::DepthMap::kStepPerM));
+    float inverse = (steps(0) * (1 - x) + steps(1) * x) * (1 - y) + (steps(2) * (1 - x) + steps(3) * x) * y;
+    if (most > kMostJump * least) {
+        const std::size_t nearest = (x < 0.5F ? 0U : 1U) + (y < 0.5F ? 0U : 2U);
+        inverse = steps(nearest);
+        sight.isSure = (pixels[nearest] & kSure) != 0;
+        sight.isEdge = true;
     }
+    sight.rangeM = inverse > 0 ? 1 / (inverse * static_cast<float>(render::DepthMap::kStepPerM)) : 0;
     return sight;
 }
 
@@ -80,22 +111,36 @@ Eigen::Vector3d SeenDepth::point(int x, int y, double rangeM) const {
     return m_roomFromPhoto * (m_lenses.place(ray) + rangeM * ray);
 }
 
-Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM) {
+Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM,
+              std::optional<double> mirroredFloorM) {
+    int surelyThrough = 0;
     int through = 0;
     int here = 0;
+    int outside = 0;
     for (const SeenDepth& photo : photos) {
         const Sight sight = photo.sight(pInRoom);
-        const float beyondM = sight.rangeM - sight.pointM;
-        if (sight.rangeM == 0) {
+        if (sight.isEdge) {
             continue;
         }
-        if (sight.isSure && beyondM > marginM + 2 * photo.sigmaM(sight.rangeM)) {
-            return Space::Free;
+        const float sigma = photo.sigmaM(sight.rangeM);
+        const float beyondM = sight.rangeM - sight.pointM;
+        const bool isThrough = beyondM > marginM + 2 * sigma;
+        if (sight.isOutside() || (isThrough && isFloor(photo, pInRoom, sight, mirroredFloorM))) {
+            ++outside;
+        } else if (sight.isSure && isThrough) {
+            ++surelyThrough;
+        } else {
+            through += beyondM > kLikelyBeyondM ? 1 : 0;
+            here += std::abs(beyondM) < kHereM ? 1 : 0;
         }
-        through += beyondM > kLikelyBeyondM ? 1 : 0;
-        here += std::abs(beyondM) < kHereM ? 1 : 0;
     }
-    return through > here ? Space::Free : here >= kLikelyPhotos ? Space::Occupied : Space::Unknown;
+    if (outside >= kMirrorPhotos && surelyThrough <= outside) {
+        return Space::Mirror;
+    }
+    if (surelyThrough > 0 || through > here) {
+        return Space::Free;
+    }
+    return here >= kLikelyPhotos ? Space::Occupied : Space::Unknown;
 }
 
 std::vector<double> baselinesM(std::span<const Rigid3> roomFromPhotos) {

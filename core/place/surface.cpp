@@ -30,7 +30,7 @@ float toleranceM(const SeenDepth& photo, const Sight& sight, double withinM) {
 
 void addEvidence(const SurfaceVertex& vertex, const SeenDepth& photo, double withinM, Evidence& evidence) {
     const Sight sight = photo.sight(vertex.pInRoom);
-    if (!sight.isSure || sight.rangeM == 0) {
+    if (!sight.isSure || sight.isOutside()) {
         return;
     }
     const float sigma = photo.sigmaM(sight.rangeM);
@@ -77,7 +77,7 @@ class Parts {
 bool SurfaceVertex::isShownBy(const SeenDepth& photo, const Sight& sight, double withinM) const {
     constexpr double kLeastFacing = 0.15; // the sine of 9 degrees
     constexpr double kMostSigmas = 3;     // such rough depths are not fused either
-    if (!sight.isSure || sight.rangeM == 0 || photo.sigmaM(sight.rangeM) > kMostSigmas * withinM ||
+    if (!sight.isSure || sight.isOutside() || photo.sigmaM(sight.rangeM) > kMostSigmas * withinM ||
         std::abs(sight.rangeM - sight.pointM) > toleranceM(photo, sight, withinM)) {
         return false;
     }

@@ -32,6 +32,8 @@ constexpr EnumNames<PlaceFormat, 4> kFormats{{{PlaceFormat::Ply, "ply"},
 
 constexpr float kLeastConfidence = 0.5F; ///< as many photos look through as show a surface
 constexpr double kOfTheRoomM = 0.05;     ///< what is nearer to a wall, the floor or the ceiling belongs to it
+constexpr double kHangsM =
+    0.07; ///< what reaches no farther into the room hangs on a wall, and does not stand
 constexpr double kFurnitureErrorM = 0.004;
 constexpr double kVoxelsACell = 2;    ///< of furniture; the fused surface is rougher than a voxel
 constexpr double kLeastPartM2 = 0.01; ///< smaller parts that hang in the air are mistakes of single photos
@@ -61,7 +63,7 @@ class PlaceExport {
 
     Furniture furniture(const render::RoomShape& room, ProgressSink& progress) {
         ProgressStep finding(progress, 0, 0.9);
-        find(finding);
+        find(finding, &room);
         place::Surface things = place::furnitureOf(std::move(m_surface), room, kOfTheRoomM);
         things.dropSmallParts(kLeastPartM2);
         progress.progress(0.95, "Making boxes of furniture");
@@ -69,7 +71,8 @@ class PlaceExport {
         const place::BoxOptions coarse{kVoxelsACell * fusion.voxelM, room.floorM, fusion.threads};
         const place::BoxOptions fine{fusion.voxelM, room.floorM, fusion.threads};
         place::Surface mesh = place::simplified(things, kFurnitureErrorM);
-        place::addBoxes(mesh, place::closingBoxes(things, m_depths, fine, m_stop));
+        const place::Surface standing = place::furnitureOf(things, room, kHangsM);
+        place::addBoxes(mesh, place::closingBoxes(standing, m_depths, fine, m_stop));
         return {std::move(mesh), place::solidBoxes(things, m_depths, coarse, m_stop)};
     }
 
@@ -78,17 +81,17 @@ class PlaceExport {
 
     bool wants(PlaceFormat format) const { return m_options.formats.contains(format); }
 
-    /// The surface, without colours.
-    void find(ProgressSink& progress) {
+    /// The surface, without colours. room: without what photos show outside of it.
+    void find(ProgressSink& progress, const render::RoomShape* room = nullptr) {
         ProgressStep reading(progress, 0, 0.1);
-        readDepths(reading);
+        readDepths(room, reading);
         ProgressStep fusing(progress, 0.1, 0.8);
         const place::Volume volume = place::fused(m_depths, m_options.fusion, fusing, m_stop);
         progress.progress(0.8, "Finding surfaces");
         findSurface(volume);
     }
 
-    void readDepths(ProgressSink& progress) {
+    void readDepths(const render::RoomShape* room, ProgressSink& progress) {
         std::vector<Rigid3> poses;
         for (const render::DatasetPhoto& photo : photos()) {
             poses.push_back(photo.roomFromPhoto);
@@ -98,7 +101,7 @@ class PlaceExport {
             throwIfStopped(m_stop);
             if (!photos()[i].depth.empty() && baselines[i] > 0) {
                 m_depths.emplace_back(render::DepthMap::read(m_dataset.folder() / photos()[i].depth),
-                                      poses[i], photos()[i].lenses, baselines[i]);
+                                      poses[i], photos()[i].lenses, baselines[i], room);
                 m_withDepth.push_back(i);
             }
             progress.progress(static_cast<double>(i + 1) / static_cast<double>(photos().size()),

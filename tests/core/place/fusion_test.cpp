@@ -64,7 +64,7 @@ TEST(SeenDepth, KnowsHowFarWhatItShowsAndAPointAre) {
     }
 }
 
-TEST(SeenDepth, SaysNothingWhereAPixelIsNotSureOrDistancesJump) {
+TEST(SeenDepth, SaysWhatTheNearestPixelShowsWhereDistancesJump) {
     Image<float, 1> inverse(64, 32);
     MaskImage sure(64, 32);
     for (int y = 0; y < 32; ++y) {
@@ -76,7 +76,10 @@ TEST(SeenDepth, SaysNothingWhereAPixelIsNotSureOrDistancesJump) {
     const SeenDepth depth(render::DepthMap(inverse, sure), {}, {}, 1);
     EXPECT_NEAR(depth.sight({-0.1, 1, 0.8}).rangeM, 2, 0.01);
     EXPECT_NEAR(depth.sight({-0.1, -1, 0.8}).rangeM, 1, 0.01);
-    EXPECT_EQ(depth.sight({1, 0, 0.8}).rangeM, 0) << "between both halves";
+    EXPECT_NEAR(depth.sight({1, 0.02, 0.8}).rangeM, 2, 0.01) << "between both halves";
+    EXPECT_NEAR(depth.sight({1, -0.02, 0.8}).rangeM, 1, 0.01);
+    EXPECT_TRUE(depth.sight({1, 0.02, 0.8}).isEdge);
+    EXPECT_FALSE(depth.sight({-0.1, 1, 0.8}).isEdge);
     EXPECT_TRUE(depth.sight({-0.1, 1, 0.8}).isSure);
     EXPECT_FALSE(depth.sight({-0.1, 1, -0.8}).isSure);
     EXPECT_NEAR(depth.sight({-0.1, 1, -0.8}).rangeM, 2, 0.01);
@@ -92,6 +95,25 @@ TEST(SeenDepth, BeginsAtTheLensThatSees) {
     EXPECT_NEAR(depth.sight({-1.1, 0, 0}).pointM, 1, 1e-6);
     EXPECT_NEAR(depth.point(32, 16, 2).x(), 2.1, 0.02);
     EXPECT_NEAR(depth.point(0, 16, 2).x(), -2.1, 0.02);
+}
+
+TEST(SeenDepth, TellsWhatItShowsOutsideOfTheRoom) {
+    const SeenRoom seen;
+    Image<float, 1> far(64, 32);
+    std::fill(far.values().begin(), far.values().end(), 0.2F);
+    for (const SeenDepth& depth : seen.depths) {
+        const Rigid3& pose = depth.roomFromPhoto();
+        const double exact = std::numeric_limits<double>::infinity();
+        const render::DepthMap walls = render::roomDepth(seen.shape, pose, SeenRoom::kWidth);
+        const SeenDepth inside(walls, pose, {}, exact, &seen.shape);
+        const SeenDepth outside(render::DepthMap(far), pose, {}, exact, &seen.shape);
+        for (int i = 0; i < 24; ++i) {
+            const Eigen::Vector3d point(1.5 + 0.4 * std::cos(i), 1 + 0.4 * std::sin(i), 0.1 * i);
+            EXPECT_FALSE(inside.sight(point).isOutside());
+            EXPECT_TRUE(outside.sight(point).isOutside());
+            EXPECT_FALSE(SeenDepth(render::DepthMap(far), pose, {}, exact).sight(point).isOutside());
+        }
+    }
 }
 
 TEST(SeenDepth, TrustsADepthLessTheFartherAndTheShorterItsBaseline) {
