@@ -93,12 +93,14 @@ constexpr double kFarM = 10;           ///< What is farther counts as if it were
 constexpr double kLowestWallM = 0.3;   ///< Walls are looked at from this height above the floor ...
 constexpr double kBelowCeilingM = 0.1; ///< ... to this far below the ceiling.
 constexpr double kOutsideM = 0.3;      ///< Points count up to this far beyond a wall's ends.
+constexpr double kShortestM = 0.6;     ///< Shorter walls, as a door's jambs, stay where they were drawn.
 constexpr std::size_t kFewestPoints = 200;
 constexpr int kEvery = 4; ///< Pixels of a depth, of which one is looked at.
 
 /// A point that a photo sees, and the area that its pixel covers across the ray.
 struct Seen {
     Vector3d atM;
+    Vector2d fromM; ///< Where the photo stands.
     double areaM2 = 0;
     double solidAngle = 0; ///< Of the pixel, in those of one at the horizon.
 };
@@ -122,6 +124,7 @@ std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
                 const Vector3d ray = direction(size, Vector2d(x, y));
                 const double distance = 1 / static_cast<double>(*depth.inverseM.at(x, y));
                 points.push_back({posed.roomFromPhoto * (posed.lenses.place(ray) + distance * ray),
+                                  posed.roomFromPhoto.translation.head<2>(),
                                   std::pow(side * std::min(distance, kFarM), 2) * ray.head<2>().norm(),
                                   ray.head<2>().norm()});
             }
@@ -323,16 +326,21 @@ std::vector<std::size_t> seenThrough(std::span<const PosedDepth> depths, const P
     return result;
 }
 
-/// How far to move a wall inwards. Empty if too little of it is seen.
+/// How far to move a wall inwards. Empty if too little of it is seen. Photos behind the wall show its other
+/// side, which is ten centimetres away where rooms adjoin.
 std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, const Vector2d& b,
                             const Vector2d& inwards) {
     const Vector2d along = (b - a).normalized();
     std::vector<Value> offsets;
+    if ((b - a).norm() < kShortestM) {
+        return std::nullopt;
+    }
     for (const Seen& point : walls) {
         const Vector2d fromA = point.atM.head<2>() - a;
         const double place = along.dot(fromA);
         const double offset = inwards.dot(fromA);
-        if (place > -kOutsideM && place < (b - a).norm() + kOutsideM && std::abs(offset) < kReachM) {
+        if (place > -kOutsideM && place < (b - a).norm() + kOutsideM && std::abs(offset) < kReachM &&
+            inwards.dot(point.fromM - a) > 0) {
             offsets.push_back({offset, point.areaM2});
         }
     }

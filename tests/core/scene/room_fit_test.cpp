@@ -93,6 +93,18 @@ TEST(RoomFit, KeepsWhatWasDrawnWhereTooLittleIsSeen) {
     EXPECT_EQ(found->shape.ceilingM, 2.6);
 }
 
+TEST(RoomFit, KeepsApartTheSidesOfAThinWallBetweenRooms) {
+    const render::RoomShape rooms{
+        {{0, 0}, {4, 0}, {4, 3}, {2.05, 3}, {2.05, 0.8}, {1.95, 0.8}, {1.95, 3}, {0, 3}}, 0, 2.5};
+    const Photos photos(rooms); // one on either side
+    const auto found = fittedRoom(photos.posed, {rooms.outline, 2.5});
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->shape.outline.size(), rooms.outline.size());
+    for (std::size_t i = 0; i < rooms.outline.size(); ++i) {
+        EXPECT_LT((found->shape.outline[i] - rooms.outline[i]).norm(), 0.03) << i;
+    }
+}
+
 TEST(RoomFit, BelievesNoOutlineThatThePhotosContradict) {
     const Photos photos(kRoom);
     // The photos' own block, in place of the room; and the outline of a room somewhere else.
