@@ -38,7 +38,7 @@ SeenDepth::SeenDepth(const render::DepthMap& depth, const Rigid3& roomFromPhoto,
         const auto steps = std::lround(static_cast<double>(inverse[i]) / render::DepthMap::kStepPerM);
         m_steps.values()[i] = static_cast<std::uint16_t>(steps | (sure[i] != 0 ? kSure : 0));
     }
-    if (room != nullptr) {
+    if (room != nullptr && contains(room->outline, roomFromPhoto.translation.head<2>())) {
         dropOutside(*room);
     }
 }

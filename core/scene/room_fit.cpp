@@ -330,16 +330,17 @@ std::vector<std::size_t> seenThrough(std::span<const PosedDepth> depths, const P
 /// side, which is ten centimetres away where rooms adjoin.
 std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, const Vector2d& b,
                             const Vector2d& inwards) {
-    const Vector2d along = (b - a).normalized();
-    std::vector<Value> offsets;
-    if ((b - a).norm() < kShortestM) {
+    const double lengthM = (b - a).norm();
+    if (lengthM < kShortestM) {
         return std::nullopt;
     }
+    const Vector2d along = (b - a) / lengthM;
+    std::vector<Value> offsets;
     for (const Seen& point : walls) {
         const Vector2d fromA = point.atM.head<2>() - a;
         const double place = along.dot(fromA);
         const double offset = inwards.dot(fromA);
-        if (place > -kOutsideM && place < (b - a).norm() + kOutsideM && std::abs(offset) < kReachM &&
+        if (place > -kOutsideM && place < lengthM + kOutsideM && std::abs(offset) < kReachM &&
             inwards.dot(point.fromM - a) > 0) {
             offsets.push_back({offset, point.areaM2});
         }

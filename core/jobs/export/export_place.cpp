@@ -32,8 +32,7 @@ constexpr EnumNames<PlaceFormat, 4> kFormats{{{PlaceFormat::Ply, "ply"},
 
 constexpr float kLeastConfidence = 0.5F; ///< as many photos look through as show a surface
 constexpr double kOfTheRoomM = 0.05;     ///< what is nearer to a wall, the floor or the ceiling belongs to it
-constexpr double kHangsM =
-    0.07; ///< what reaches no farther into the room hangs on a wall, and does not stand
+constexpr double kHangsM = 0.07;         ///< what reaches no farther into the room hangs on a wall
 constexpr double kFurnitureErrorM = 0.004;
 constexpr double kVoxelsACell = 2;    ///< of furniture; the fused surface is rougher than a voxel
 constexpr double kLeastPartM2 = 0.01; ///< smaller parts that hang in the air are mistakes of single photos

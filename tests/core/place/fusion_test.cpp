@@ -113,6 +113,9 @@ TEST(SeenDepth, TellsWhatItShowsOutsideOfTheRoom) {
             EXPECT_TRUE(outside.sight(point).isOutside());
             EXPECT_FALSE(SeenDepth(render::DepthMap(far), pose, {}, exact).sight(point).isOutside());
         }
+        const Rigid3 elsewhere{pose.rotation, pose.translation + Eigen::Vector3d(10, 0, 0)};
+        const SeenDepth other(render::DepthMap(far), elsewhere, {}, exact, &seen.shape);
+        EXPECT_FALSE(other.sight({1.5, 1, 1}).isOutside()) << "the photo itself stands outside";
     }
 }
 

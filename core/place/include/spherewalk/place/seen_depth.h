@@ -19,8 +19,7 @@ struct Sight {
     float pointM = 0;    ///< Distance from the lens to the point.
     float rangeM = 0;    ///< Distance to what the photo shows in the point's direction; 0 if it is outside.
     bool isSure = false; ///< Whether the range was measured; if not, it continues what lies beside.
-    bool isEdge =
-        false; ///< Whether the pixels about the point show different things; the nearest one counts.
+    bool isEdge = false; ///< Whether the pixels there show different things; the nearest one counts.
 
     /// Whether the photo shows something outside of the room: in a mirror, or through a window. That tells
     /// nothing of the space before it.
@@ -33,7 +32,8 @@ class SeenDepth {
   public:
     /// baselineM: how far the photos stand from which the depth was estimated, see baselinesM(); +infinity
     /// for a depth without noise. room: what lies outside of it by more than 15 cm and two standard
-    /// deviations is told by Sight::isOutside() alone. Without a room nothing is outside.
+    /// deviations is told by Sight::isOutside() alone. Nothing is outside without a room, or of a photo that
+    /// stands outside.
     SeenDepth(const render::DepthMap& depth, const Rigid3& roomFromPhoto, const LensPair& lenses,
               double baselineM, const render::RoomShape* room = nullptr);
 
