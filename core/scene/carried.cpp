@@ -247,6 +247,13 @@ class RoomSurface {
         }
     }
 
+    /// Whether no wall stands between a point and a place of the room.
+    bool isInSight(const Eigen::Vector3d& from, const Eigen::Vector3d& place) const {
+        constexpr double kNearer = 1.05;
+        return !m_shape ||
+               render::inverseDistance(*m_shape, from, place - from) * (place - from).norm() < kNearer;
+    }
+
     std::optional<Eigen::Vector3d> placeOn(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
         static const double kLowest = -std::sin(kLowestWithoutWalls * kPi / 180);
         const double inverse = m_shape             ? render::inverseDistance(*m_shape, from, way)
@@ -278,13 +285,13 @@ std::vector<Helper> helpers(const PosedPicture& photo, std::span<const PosedPict
 
 /// The colour of a place by the photos that see it; nothing if none does.
 std::optional<Eigen::Vector3f> colourOf(const Eigen::Vector3d& place, std::span<const Helper> all,
-                                        const CarriedThings& things) {
+                                        const CarriedThings& things, const RoomSurface& room) {
     std::array<std::pair<double, std::size_t>, kColours> nearest;
     nearest.fill({HUGE_VAL, 0});
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Eigen::Vector3d way = place - all[i].position;
         if (way.squaredNorm() < nearest.back().first &&
-            !(things.depthInside(all[i].photoFromRoom * way) > 0)) {
+            !(things.depthInside(all[i].photoFromRoom * way) > 0) && room.isInSight(all[i].position, place)) {
             nearest.back() = {way.squaredNorm(), i};
             std::sort(nearest.begin(), nearest.end());
         }
@@ -341,12 +348,7 @@ CarriedThings carriedThings(std::span<const PosedPicture> photos) {
     if (photos.size() < kFewestPhotos || areInLine(photos)) {
         return {};
     }
-    std::vector<PosedPicture> chosen;
-    const std::size_t count = std::min(photos.size(), kMostPhotos);
-    for (std::size_t k = 0; k < count; ++k) {
-        chosen.push_back(photos[k * photos.size() / count]);
-    }
-    const Comparison comparison(std::move(chosen));
+    const Comparison comparison(spreadEvenly(std::vector(photos.begin(), photos.end()), kMostPhotos));
     Reaches reaches;
     for (int i = 0; i < CarriedThings::kAzimuths; ++i) {
         reaches[static_cast<std::size_t>(i)] = comparison.reach(azimuthOf(i));
@@ -374,7 +376,7 @@ FilledPicture withoutCarried(const PosedPicture& photo, std::span<const PosedPic
             const auto place = inside > 0 ? surface.placeOn(photo.roomFromPhoto.translation,
                                                             photo.roomFromPhoto.rotation * way)
                                           : std::nullopt;
-            const auto colour = place ? colourOf(*place, all, things) : std::nullopt;
+            const auto colour = place ? colourOf(*place, all, things, surface) : std::nullopt;
             if (!colour) {
                 continue;
             }

@@ -29,6 +29,7 @@ constexpr float kCertain = 0.7F;       ///< Share from which the pixels' depth c
 constexpr float kChanceOfPhoto = 0.2F; ///< The same of what is evident in a whole photo.
 constexpr float kCertainOfPhoto = 0.4F;
 constexpr float kBareWeight = 0.004F; ///< Of a depth that is confirmed, but not evident.
+constexpr float kSureShare = 0.9F; ///< Of what lies about a bare depth, so much is confirmed if it is sure.
 constexpr float kLeastWeight = 0.05F; ///< From which a depth is kept as it was found.
 constexpr float kOnSurface = 0.03F; ///< Share of 1 / distance by which a depth may differ from the surface's.
 constexpr float kNearestM = 0.2F;
@@ -78,6 +79,11 @@ Plane sharesAbout(const MaskImage& mask, int radius, int threads) {
     return result;
 }
 
+/// reach: in pixels of a depth of the usual width.
+Plane sharesWithin(int reach, const MaskImage& mask, int threads) {
+    return sharesAbout(mask, std::max(1, reach * mask.width() / kUsualWidth), threads);
+}
+
 /// How far a share is above what chance makes, from 0 to 1.
 float aboveChance(float share) {
     return std::clamp((share - kChance) / (kCertain - kChance), 0.0F, 1.0F);
@@ -104,13 +110,9 @@ float aboveChance(const MaskImage& evident, const MaskImage& confirmed) {
 /// How much each confirmed depth counts, from 0 to 1. Where neighbours contradict most of what lies about,
 /// the rest was confirmed by chance. At the border of what is confirmed a depth may belong to the thing
 /// beside.
-Plane weights(const MaskImage& evident, const MaskImage& confirmed, int threads) {
-    const auto sharesWithin = [&](int reach) {
-        return sharesAbout(confirmed, std::max(1, reach * evident.width() / kUsualWidth), threads);
-    };
-    const Plane beside = sharesWithin(kBeside);
-    const Plane about = sharesWithin(kAbout);
-    const Plane widely = sharesWithin(kWidely);
+Plane weights(const MaskImage& evident, const MaskImage& confirmed, const Plane& about, int threads) {
+    const Plane beside = sharesWithin(kBeside, confirmed, threads);
+    const Plane widely = sharesWithin(kWidely, confirmed, threads);
     const float ofPhoto = aboveChance(evident, confirmed);
     Plane result(evident.width(), evident.height());
     for (std::size_t i = 0; i < result.values().size(); ++i) {
@@ -153,20 +155,22 @@ float usualInverse(const PhotoDepth& depth) {
     return quantileInPlace(evident.empty() ? all : evident, 0.5);
 }
 
-Plane completed(const PhotoDepth& depth, const Plane& weight, const RgbImage& picture, int threads) {
+Plane completed(const PhotoDepth& depth, const Plane& weight, const RgbImage& picture, const Plane& base,
+                int threads) {
     const RgbImage guide = photo::resized(picture, weight.width(), weight.height());
-    return completedByPlanes(depth.inverseM, weight, guide,
-                             {usualInverse(depth), 1 / kFarthestM, 1 / kNearestM}, threads);
+    return completedByPlanes(depth.inverseM, weight, guide, base,
+                             {base.empty() ? usualInverse(depth) : 0, 1 / kFarthestM, 1 / kNearestM},
+                             threads);
 }
 
 } // namespace
 
-Plane continuedFromSure(const PhotoDepth& depth, const RgbImage& picture, int threads) {
+Plane continuedFromSure(const PhotoDepth& depth, const RgbImage& picture, const Plane& base, int threads) {
     Plane weight = sharesAbout(depth.sure, kBeside, threads);
     for (std::size_t i = 0; i < weight.values().size(); ++i) {
         weight.values()[i] = depth.sure.values()[i] != 0 ? weight.values()[i] * weight.values()[i] : 0;
     }
-    Plane result = completed(depth, weight, picture, threads);
+    Plane result = completed(depth, weight, picture, base, threads);
     for (std::size_t i = 0; i < result.values().size(); ++i) {
         result.values()[i] = depth.sure.values()[i] != 0 ? depth.inverseM.values()[i] : result.values()[i];
     }
@@ -177,15 +181,17 @@ PhotoDepth agreeingDepth(const PosedDepth& photo, const RgbImage& picture,
                          std::span<const PosedDepth> neighbours, int threads) {
     const PhotoDepth& own = *photo.depth;
     const MaskImage agreed = confirmed(photo, neighbours, threads);
-    Plane weight = weights(own.sure, agreed, threads);
+    const Plane about = sharesWithin(kAbout, agreed, threads);
+    Plane weight = weights(own.sure, agreed, about, threads);
     dropSpecks(own.inverseM, weight);
-    const Plane planes = completed(own, weight, picture, threads);
+    const Plane planes = completed(own, weight, picture, {}, threads);
     PhotoDepth result{planes, MaskImage(own.sure.width(), own.sure.height())};
     for (std::size_t i = 0; i < weight.values().size(); ++i) {
         const float found = own.inverseM.values()[i];
         const bool isEvident = own.sure.values()[i] != 0;
         if (weight.values()[i] > (isEvident ? kLeastWeight : kBareWeight * kLeastWeight)) {
-            const bool fits = std::fabs(found - planes.values()[i]) < kOnSurface * found;
+            const bool fits =
+                about.values()[i] > kSureShare && std::fabs(found - planes.values()[i]) < kOnSurface * found;
             result.inverseM.values()[i] = isEvident ? found : planes.values()[i];
             result.sure.values()[i] = isEvident || fits ? 255 : 0;
         }

@@ -6,6 +6,7 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/parallel.h"
+#include "spherewalk/geometry/equirect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,8 @@ namespace spherewalk::scene {
 
 namespace {
 
+constexpr float kOnWall = 0.05F; ///< Share of 1 / distance by which what is on a wall may differ from it.
+constexpr double kShareOnWalls = 0.4; ///< Of what is sure towards walls, so much must be on them.
 constexpr double kKeptShare = 0.5;
 constexpr int kFilterRadius = 3;
 constexpr float kFilterSmoothness = 3e-4F;
@@ -53,6 +56,31 @@ Plane seenFromPhoto(const KnownPhoto& photo, const KnownPhoto& neighbour) {
     return result;
 }
 
+/// Whether most of what the photo surely shows towards walls lies on them. Furniture stands before walls, but
+/// an outline that somebody guessed has nothing on it.
+bool fits(const render::RoomShape& room, const KnownPhoto& photo, const Plane& about) {
+    constexpr int kEvery = 4;
+    const EquirectSize size{about.width(), about.height()};
+    const Rigid3& pose = photo.photo.roomFromPhoto;
+    double all = 0;
+    double near = 0;
+    for (int y = kEvery / 2; y < size.height; y += kEvery) {
+        for (int x = kEvery / 2; x < size.width; x += kEvery) {
+            const Eigen::Vector3d way = direction(size, Eigen::Vector2d(x, y));
+            const double up = (pose.rotation * way).z();
+            const double heightM = (up < 0 ? room.floorM : room.ceilingM) - pose.translation.z();
+            const float wall = *about.at(x, y);
+            if (*photo.depth->sure.at(x, y) != 0 && static_cast<double>(wall) > 1.01 * up / heightM) {
+                all += way.head<2>().norm();
+                near += std::fabs(*photo.depth->inverseM.at(x, y) - wall) < kOnWall * wall
+                            ? way.head<2>().norm()
+                            : 0;
+            }
+        }
+    }
+    return all > 0 && near >= kShareOnWalls * all;
+}
+
 class Refinement {
   public:
     Refinement(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads,
@@ -65,7 +93,8 @@ class Refinement {
           m_best(std::move(costsOf({&m_depth.inverseM, 1}).front())),
           m_texture(textureOf(m_cost.photo(), threads)) {}
 
-    PhotoDepth run(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours) {
+    PhotoDepth run(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours,
+                   const render::RoomShape* room) {
         std::vector<Plane> known(neighbours.size());
         parallelFor(static_cast<int>(neighbours.size()), 1, m_threads, [&](int begin, int end) {
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
@@ -80,7 +109,8 @@ class Refinement {
             takeBetter(candidates, [](std::size_t) {});
         }
         dropSpecks(*photo.depth);
-        m_depth.inverseM = continuedFromSure(m_depth, photo.photo.atLeast(m_depth.sure.width()), m_threads);
+        m_depth.inverseM = continuedFromSure(m_depth, photo.photo.atLeast(m_depth.sure.width()),
+                                             surroundings(photo, room), m_threads);
         m_depth.inverseM = smoothedSurfaces(m_depth.inverseM, m_threads);
         return std::move(m_depth);
     }
@@ -92,10 +122,24 @@ class Refinement {
         std::vector<const Plane*> depths;
         for (const KnownPhoto& neighbour : neighbours) {
             pictures.push_back(neighbour.photo);
-            gains.push_back(gainsTo(photo.photo, neighbour.photo));
+            gains.push_back(gainsTo(photo.photo, photo.depth->inverseM, neighbour.photo));
             depths.push_back(&neighbour.depth->inverseM);
         }
         return {photo.photo, pictures, kKeptShare, photo.depth->inverseM.width(), threads, gains, depths};
+    }
+
+    /// What the photo would show of an empty room. If it does not stand in it, or contradicts it, the depth
+    /// that neighbours agreed on.
+    static Plane surroundings(const KnownPhoto& photo, const render::RoomShape* room) {
+        const Rigid3& pose = photo.photo.roomFromPhoto;
+        const Eigen::Vector3d& at = pose.translation;
+        if (room == nullptr || !contains(room->outline, at.head<2>()) || at.z() <= room->floorM ||
+            at.z() >= room->ceilingM) {
+            return photo.depth->inverseM;
+        }
+        Plane about =
+            render::roomDepth(*room, pose, photo.depth->inverseM.width(), photo.photo.lenses).inverseM();
+        return fits(*room, photo, about) ? std::move(about) : photo.depth->inverseM;
     }
 
     static Plane guide(const SweepPicture& photo) {
@@ -185,8 +229,8 @@ class Refinement {
 
 } // namespace
 
-PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads,
-                        const std::stop_token& stop) {
+PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours,
+                        const render::RoomShape* room, int threads, const std::stop_token& stop) {
     const int width = photo.depth->inverseM.width();
     if (std::any_of(neighbours.begin(), neighbours.end(),
                     [&](const KnownPhoto& other) { return other.depth->inverseM.width() != width; })) {
@@ -194,7 +238,7 @@ PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> nei
                     "Could not refine a depth: the neighbours' depths have another size.");
     }
     return neighbours.empty() ? *photo.depth
-                              : Refinement(photo, neighbours, threads, stop).run(photo, neighbours);
+                              : Refinement(photo, neighbours, threads, stop).run(photo, neighbours, room);
 }
 
 } // namespace spherewalk::scene

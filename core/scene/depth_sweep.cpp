@@ -8,7 +8,6 @@
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/rigid3.h"
-#include "spherewalk/photo/picture_file.h"
 
 #include <algorithm>
 #include <array>
@@ -21,26 +20,13 @@
 
 namespace spherewalk::scene {
 
-PictureSizes::PictureSizes(RgbImage picture) {
-    constexpr int kLeastWidth = 64;
-    m_pictures.push_back(std::move(picture));
-    while (m_pictures.back().width() >= 2 * kLeastWidth && m_pictures.back().height() >= 2) {
-        const RgbImage& last = m_pictures.back();
-        m_pictures.push_back(photo::resized(last, last.width() / 2, last.height() / 2));
-    }
-}
-
-const RgbImage& PictureSizes::atLeast(int width) const {
-    const auto isWide = [&](const RgbImage& picture) { return picture.width() >= width; };
-    const auto found = std::find_if(m_pictures.rbegin(), m_pictures.rend(), isWide);
-    return found != m_pictures.rend() ? *found : m_pictures.front();
-}
-
 namespace {
 
 constexpr float kBytesPerCost = 2.5F;
 constexpr int kPixelsAtATime = 64; ///< What a neighbour shows there at all distances stays in a fast cache.
 constexpr float kLeastInverseM = 1e-3F; ///< Nothing is taken to be farther than a kilometre.
+constexpr int kRoughWidth = 128;        ///< At which it is found how bright photos are.
+constexpr int kRounds = 6; ///< Of that; a wrong gain makes distances wrong that make it look right.
 constexpr int kFilterRadius = 4;
 constexpr float kFilterSmoothness = 1e-3F;
 constexpr float kLeastRise = 0.5F;       ///< Of the cost from the best distance to the mean about it.
@@ -135,6 +121,7 @@ class Sweep {
     }
 
     PhotoDepth run() {
+        compareBrightness();
         Plane inverse = coarse();
         float step = 1;
         for (int width = 2 * m_options.coarseWidth; width <= m_options.width; width *= 2) {
@@ -145,6 +132,20 @@ class Sweep {
     }
 
   private:
+    /// Finds gains and rough distances in turn.
+    void compareBrightness() {
+        SweepOptions options = m_options;
+        options.coarseWidth = kRoughWidth;
+        Sweep rough(m_photo, m_neighbours, options, m_stop);
+        for (int round = 0; round < kRounds; ++round) {
+            const Plane inverse = rough.coarse();
+            for (std::size_t i = 0; i < m_gains.size(); ++i) {
+                rough.m_gains[i] = gainsTo(m_photo, inverse, m_neighbours[i]);
+            }
+        }
+        m_gains = rough.m_gains;
+    }
+
     SweepCost costsAt(int width) const {
         throwIfStopped(m_stop);
         return {m_photo, m_neighbours, m_options.keptShare, width, m_options.threads, m_gains};
@@ -352,21 +353,17 @@ class Sweep {
     MaskImage m_evident;
 };
 
-void checkPose(const Rigid3& pose) {
-    if (!isPose(pose)) {
-        throw Error(ErrorKind::InvalidInput,
-                    "Could not estimate depth: a photo's pose is not a position and a unit quaternion; align "
-                    "the survey first.");
-    }
-}
-
 void checkPicture(const PosedPicture& photo) {
     if (photo.picture == nullptr || photo.picture->width() < 16 ||
         photo.picture->width() != 2 * photo.picture->height()) {
         throw Error(ErrorKind::InvalidInput,
                     "Could not estimate depth: a picture is empty or not twice as wide as high.");
     }
-    checkPose(photo.roomFromPhoto);
+    if (!isPose(photo.roomFromPhoto)) {
+        throw Error(ErrorKind::InvalidInput,
+                    "Could not estimate depth: a photo's pose is not a position and a unit quaternion; align "
+                    "the survey first.");
+    }
 }
 
 bool isPowerOfTwo(int value) {
@@ -389,9 +386,12 @@ void SweepOptions::validate() const {
 }
 
 std::vector<std::size_t> sweepNeighbours(std::span<const Rigid3> roomFromPhotos, std::size_t photo,
-                                         const SweepOptions& options) {
-    const auto distance = [&](std::size_t other) {
-        return (roomFromPhotos[other].translation - roomFromPhotos[photo].translation).norm();
+                                         const SweepOptions& options, const Polygon& walls) {
+    constexpr std::ptrdiff_t kFewest = 3; ///< Photos, of which some may stand behind walls.
+    const auto place = [&](std::size_t i) -> const Eigen::Vector3d& { return roomFromPhotos[i].translation; };
+    const auto distance = [&](std::size_t other) { return (place(other) - place(photo)).norm(); };
+    const auto isInSight = [&](std::size_t other) {
+        return walls.empty() || distanceToEdge(walls, place(photo).head<2>(), place(other).head<2>()) > 0;
     };
     std::vector<std::size_t> order(roomFromPhotos.size());
     std::iota(order.begin(), order.end(), 0);
@@ -400,6 +400,8 @@ std::vector<std::size_t> sweepNeighbours(std::span<const Rigid3> roomFromPhotos,
     });
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+    const auto behind = std::stable_partition(order.begin(), order.end(), isInSight);
+    order.erase(std::max(behind, order.begin() + std::min(std::ssize(order), kFewest)), order.end());
     order.resize(std::min(order.size(), static_cast<std::size_t>(options.neighbours)));
     return order;
 }

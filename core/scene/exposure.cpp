@@ -20,20 +20,21 @@ constexpr int kWidth = 64; ///< Parallax hardly shows at this width.
 constexpr int kDarkest = 8;
 constexpr int kBrightest = 245;
 constexpr std::size_t kFewest = 100;
-constexpr double kMostLog = 2.5; ///< The logarithm of the greatest gain.
-constexpr double kPatches = 40;  ///< About so many of the directions tell something of their own.
+constexpr double kMostLog = 2.5;          ///< The logarithm of the greatest gain.
+constexpr double kPatches = 40;           ///< About so many of the directions tell something of their own.
+constexpr double kPatchesOfPlaces = 1000; ///< The same of places whose distance is known.
 constexpr double kSigmas = 3;
 
 bool isWithin(int value) {
     return value > kDarkest && value < kBrightest;
 }
 
-float gainFrom(const std::vector<double>& logs) {
+float gainFrom(const std::vector<double>& logs, double patches) {
     if (logs.size() < kFewest) {
         return 1;
     }
     const auto [middle, spread] = medianAndSpread(logs);
-    const double sigma = spread / std::sqrt(kPatches);
+    const double sigma = spread / std::sqrt(patches);
     return std::abs(middle) < kSigmas * sigma
                ? 1.0F
                : static_cast<float>(std::exp(std::clamp(middle, -kMostLog, kMostLog)));
@@ -92,7 +93,25 @@ Gains gainsTo(const PosedPicture& photo, const PosedPicture& other) {
     overSphere(kWidth, [&](int x, int y, const Eigen::Vector3d& way) {
         addLogs(own.at(x, y), nearest(its, otherFromPhoto * way), logs);
     });
-    return {gainFrom(logs[0]), gainFrom(logs[1]), gainFrom(logs[2])};
+    return {gainFrom(logs[0], kPatches), gainFrom(logs[1], kPatches), gainFrom(logs[2], kPatches)};
+}
+
+Gains gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const PosedPicture& other) {
+    constexpr EquirectSize kPlaces{128, 64};
+    const RgbImage own = photo::resized(photo.atLeast(kPlaces.width), kPlaces.width, kPlaces.height);
+    const RgbImage its = photo::resized(other.atLeast(kPlaces.width), kPlaces.width, kPlaces.height);
+    const Rigid3 otherFromPhoto = other.roomFromPhoto.inverse() * photo.roomFromPhoto;
+    std::array<std::vector<double>, 3> logs;
+    overSphere(kPlaces.width, [&](int x, int y, const Eigen::Vector3d& way) {
+        const auto inverse =
+            static_cast<double>(*inverseM.at((2 * x + 1) * inverseM.width() / 2 / kPlaces.width,
+                                             (2 * y + 1) * inverseM.height() / 2 / kPlaces.height));
+        const Eigen::Vector3d inOther = otherFromPhoto.rotation * (way + inverse * photo.lenses.place(way)) +
+                                        inverse * otherFromPhoto.translation;
+        addLogs(own.at(x, y), nearest(its, other.lenses.directionTo(inOther, inverse)), logs);
+    });
+    return {gainFrom(logs[0], kPatchesOfPlaces), gainFrom(logs[1], kPatchesOfPlaces),
+            gainFrom(logs[2], kPatchesOfPlaces)};
 }
 
 std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& other) {

@@ -23,7 +23,6 @@ namespace {
 constexpr float kEdge = 6;         ///< Grey levels between two pixels at which they are tied half as firmly.
 constexpr float kLeastTie = 1e-3F; ///< Neighbours are always tied a little, so that nothing stands alone.
 constexpr int kWidthOfReach = 1024;
-constexpr int kBehind = 32;      ///< Reach in pixels of a picture of that width; see tieBehind().
 constexpr float kNearer = 1.08F; ///< What is nearer by this factor is another thing.
 constexpr float kTieToNearer = 0.1F;
 constexpr float kWeight = 30;    ///< Of a known value in a picture of that width, to ties of 1.
@@ -138,18 +137,6 @@ float tieOf(const RgbImage& picture, int x, int y, int besideX, int besideY) {
     return std::max(kLeastTie, 1 / (1 + edge * edge * edge * edge));
 }
 
-/// The least known value about each pixel; HUGE_VALF if none is near.
-Plane farthestAbout(const Plane& known, const Plane& weight, int threads) {
-    Plane plane(known.width(), known.height());
-    for (std::size_t i = 0; i < plane.values().size(); ++i) {
-        plane.values()[i] = weight.values()[i] > 0 ? known.values()[i] : HUGE_VALF;
-    }
-    for (int reach = 1; 2 * reach <= kBehind * known.width() / kWidthOfReach; reach *= 2) {
-        plane = leastOfCross(plane, reach, threads);
-    }
-    return plane;
-}
-
 /// Ties in line: half of the first, all of the middle one, half of the last.
 float inLine(float first, float middle, float last) {
     return 2 / (0.5F / first + 1 / middle + 0.5F / last);
@@ -172,6 +159,7 @@ struct Strip {
     float cosElevation;
     float sinElevation;
     float prior;
+    float priorOfEven;
     float usual;
     float fade;
 };
@@ -203,15 +191,16 @@ void relaxStrip(const Strip& strip, int count, float* __restrict vectorX, float*
         const float tied = s.pull[3][i] + left + right + above + below;
         share[i] += kOverRelaxed * ((s.pull[3][i] + beside(kShareKnown)) / (tied + s.fade) - share[i]);
         const float known = s.pull[0][i] * rayX + s.pull[1][i] * rayY + s.pull[2][i] * rayZ;
-        even[i] += kOverRelaxed * ((known + beside(kEven) + prior) / (tied + s.prior) - even[i]);
+        even[i] += kOverRelaxed *
+                   ((known + beside(kEven) + s.priorOfEven * s.usual) / (tied + s.priorOfEven) - even[i]);
     }
 }
 
 class Completion {
   public:
-    Completion(const Plane& known, const Plane& weight, const RgbImage& picture, const CompletionRange& range,
-               int threads)
-        : m_range(range), m_threads(threads) {
+    Completion(const Plane& known, const Plane& weight, const RgbImage& picture, const Plane& base,
+               const CompletionRange& range, int threads)
+        : m_base(base), m_range(range), m_threads(threads) {
         m_levels.emplace_back(known.width(), known.height());
         tie(picture);
         tieBehind(known, weight);
@@ -238,6 +227,8 @@ class Completion {
     }
 
   private:
+    float baseAt(int x, int y) const { return m_base.empty() ? 0.0F : *m_base.at(x, y); }
+
     template <class Row>
     void forRows(const Level& level, const Row& row) const {
         parallelFor(level.height, 8, m_threads, [&](int begin, int end) {
@@ -261,7 +252,7 @@ class Completion {
     /// less to what is known and nearer than other known things about.
     void tieBehind(const Plane& known, const Plane& weight) {
         Level& level = m_levels.front();
-        const Plane farthest = farthestAbout(known, weight, m_threads);
+        const Plane farthest = leastKnownAbout(known, weight, m_threads);
         const auto isHidden = [&](int x, int y, int byX, int byY) {
             return *weight.at(byX, byY) > 0 && *weight.at(x, y) <= 0 &&
                    *known.at(byX, byY) > kNearer * *farthest.at(x, y);
@@ -285,9 +276,10 @@ class Completion {
             for (int x = 0; x < level.width; ++x) {
                 const Vector3f ray = level.ray(x, y);
                 const float pull = area * *weight.at(x, y);
+                const float beyond = *known.at(x, y) - baseAt(x, y);
                 std::size_t at = 0;
                 for (int i = 0; i < 3; ++i) {
-                    level.pull[static_cast<std::size_t>(i)].at(x, y) = pull * *known.at(x, y) * ray[i];
+                    level.pull[static_cast<std::size_t>(i)].at(x, y) = pull * beyond * ray[i];
                     for (int j = i; j < 3; ++j) {
                         level.solve[at++].at(x, y) = pull * ray[i] * ray[j];
                     }
@@ -399,6 +391,7 @@ class Completion {
         const int above = y > 0 ? y - 1 : 1;
         const int below = y + 1 < level.height ? y + 1 : y - 1;
         const float pixelRad = 2 * std::numbers::pi_v<float> / static_cast<float>(level.width);
+        const float fade = shape.cosine * pixelRad * pixelRad / (kFadeRad * kFadeRad);
         const auto found = [&](std::size_t k) { return level.found[k].half(which, y) + first; };
         const Strip strip{.left = from(level.found, 1 - which, y, left),
                           .right = from(level.found, 1 - which, y, right),
@@ -414,8 +407,9 @@ class Completion {
                           .cosElevation = level.cosElevation[static_cast<std::size_t>(y)],
                           .sinElevation = level.sinElevation[static_cast<std::size_t>(y)],
                           .prior = kPrior * perArea(level) * shape.cosine,
+                          .priorOfEven = m_base.empty() ? kPrior * perArea(level) * shape.cosine : fade,
                           .usual = m_range.usual,
-                          .fade = shape.cosine * pixelRad * pixelRad / (kFadeRad * kFadeRad)};
+                          .fade = fade};
         relaxStrip(strip, count, found(0), found(1), found(2), found(kShareKnown), found(kEven));
     }
 
@@ -427,14 +421,16 @@ class Completion {
             for (int x = 0; x < level.width; ++x) {
                 const Vector3f vector(level.found[0].at(x, y), level.found[1].at(x, y),
                                       level.found[2].at(x, y));
-                const float even = within(level.found[kEven].at(x, y));
+                const float base = baseAt(x, y);
+                const float even = within(base + level.found[kEven].at(x, y));
                 const float share = std::clamp(level.found[kShareKnown].at(x, y), 0.0F, 1.0F);
-                *result.at(x, y) = even + share * (within(vector.dot(level.ray(x, y))) - even);
+                *result.at(x, y) = even + share * (within(base + vector.dot(level.ray(x, y))) - even);
             }
         });
         return result;
     }
 
+    const Plane& m_base;
     CompletionRange m_range;
     int m_threads;
     std::vector<Level> m_levels;
@@ -442,9 +438,9 @@ class Completion {
 
 } // namespace
 
-Plane completedByPlanes(const Plane& known, const Plane& weight, const RgbImage& picture,
+Plane completedByPlanes(const Plane& known, const Plane& weight, const RgbImage& picture, const Plane& base,
                         const CompletionRange& range, int threads) {
-    return Completion(known, weight, picture, range, threads).run();
+    return Completion(known, weight, picture, base, range, threads).run();
 }
 
 } // namespace spherewalk::scene

@@ -312,6 +312,18 @@ class RowOfPlanes {
 
 } // namespace
 
+Plane leastKnownAbout(const Plane& known, const Plane& weight, int threads) {
+    constexpr int kReaches = 32; // in a row
+    Plane plane(known.width(), known.height());
+    for (std::size_t i = 0; i < plane.values().size(); ++i) {
+        plane.values()[i] = weight.values()[i] > 0 ? known.values()[i] : HUGE_VALF;
+    }
+    for (int reach = 1; 2 * reach <= known.width() / kReaches; reach *= 2) {
+        plane = leastOfCross(plane, reach, threads);
+    }
+    return plane;
+}
+
 Plane smoothedSurfaces(const Plane& inverseM, int threads) {
     Plane result(inverseM.width(), inverseM.height());
     parallelFor(result.height(), 8, threads, [&](int begin, int end) {

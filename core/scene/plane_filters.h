@@ -40,6 +40,10 @@ Plane leastOfCross(const Plane& plane, int reach, int threads);
 /// The same with the greatest value.
 Plane mostOfCross(const Plane& plane, int reach, int threads);
 
+/// The least known value within about 3 % of the width of each pixel; HUGE_VALF if none is known there.
+/// weight: above 0 where a value is known.
+Plane leastKnownAbout(const Plane& known, const Plane& weight, int threads);
+
 /// Replaces each value by the value of a plane fitted to the pixels around that belong to the same surface.
 /// Where a surface is flat, 1 / distance is about linear in the picture. Values that differ by more than two
 /// percent (more at farther pixels) lie on another surface. threads: the result is the same for any number.
@@ -47,7 +51,7 @@ Plane smoothedSurfaces(const Plane& inverseM, int threads);
 
 /// What a completed value may be, and is where nothing is known.
 struct CompletionRange {
-    float usual;
+    float usual; ///< Beyond the base.
     float least;
     float most;
 };
@@ -57,16 +61,18 @@ struct CompletionRange {
 /// Neighbours want the same one, less so across edges of the picture, and a known value pulls with its
 /// weight. A plane that is known along its borders is continued over its middle. Far from what is known a
 /// plane would go anywhere, so values fade to those that change least from pixel to pixel. Where nothing is
-/// known they are `usual`. Shape: all of one size, the width a multiple of 32. weight: in [0, 1]; 0 where
-/// nothing is known. Range: the result lies between `least` and `most`. threads: the result is the same for
-/// any number. Cost: 0.3 s of one core at 1024 x 512.
-Plane completedByPlanes(const Plane& known, const Plane& weight, const RgbImage& picture,
+/// known they are `usual`. base: what the vectors' products are added to, as of a room; empty for nothing.
+/// Then it is the differences from it that are completed, and far from what is known they are `usual`, too.
+/// Shape: all of one size, the width a multiple of 32. weight: in [0, 1]; 0 where nothing is known. Range:
+/// the result lies between `least` and `most`. threads: the result is the same for any number. Cost: 0.3 s of
+/// one core at 1024 x 512.
+Plane completedByPlanes(const Plane& known, const Plane& weight, const RgbImage& picture, const Plane& base,
                         const CompletionRange& range, int threads);
 
 struct PhotoDepth;
 
 /// The depth, and where it is not sure, planes as completedByPlanes() continues them from what is sure.
-/// Shape: the picture has any size.
-Plane continuedFromSure(const PhotoDepth& depth, const RgbImage& picture, int threads);
+/// base: as there; what is far from all that is sure. Shape: the picture has any size.
+Plane continuedFromSure(const PhotoDepth& depth, const RgbImage& picture, const Plane& base, int threads);
 
 } // namespace spherewalk::scene

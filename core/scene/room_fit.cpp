@@ -94,6 +94,8 @@ constexpr double kLowestWallM = 0.3;   ///< Walls are looked at from this height
 constexpr double kBelowCeilingM = 0.1; ///< ... to this far below the ceiling.
 constexpr double kOutsideM = 0.3;      ///< Points count up to this far beyond a wall's ends.
 constexpr double kShortestM = 0.6;     ///< Shorter walls, as a door's jambs, stay where they were drawn.
+constexpr double kCoveredM = 0.2;      ///< Parts of a wall that are looked for points, and
+constexpr double kCoveredShare = 0.4;  ///< the share of them that must have some if it is to be moved.
 constexpr std::size_t kFewestPoints = 200;
 constexpr int kEvery = 4; ///< Pixels of a depth, of which one is looked at.
 
@@ -326,6 +328,19 @@ std::vector<std::size_t> seenThrough(std::span<const PosedDepth> depths, const P
     return result;
 }
 
+/// The share of a wall's parts where points lie in its plane. A few beside each other are a thing before it.
+double coveredShare(const std::vector<Value>& offsets, const std::vector<double>& places, double planeM,
+                    double lengthM) {
+    std::vector<bool> parts(static_cast<std::size_t>(std::ceil(lengthM / kCoveredM)));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i] >= 0 && places[i] < lengthM && std::abs(offsets[i].value - planeM) < kNearPeakM) {
+            parts[std::min(static_cast<std::size_t>(places[i] / kCoveredM), parts.size() - 1)] = true;
+        }
+    }
+    return static_cast<double>(std::count(parts.begin(), parts.end(), true)) /
+           static_cast<double>(parts.size());
+}
+
 /// How far to move a wall inwards. Empty if too little of it is seen. Photos behind the wall show its other
 /// side, which is ten centimetres away where rooms adjoin.
 std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, const Vector2d& b,
@@ -336,6 +351,7 @@ std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, c
     }
     const Vector2d along = (b - a) / lengthM;
     std::vector<Value> offsets;
+    std::vector<double> places;
     for (const Seen& point : walls) {
         const Vector2d fromA = point.atM.head<2>() - a;
         const double place = along.dot(fromA);
@@ -343,9 +359,11 @@ std::optional<double> shift(const std::vector<Seen>& walls, const Vector2d& a, c
         if (place > -kOutsideM && place < lengthM + kOutsideM && std::abs(offset) < kReachM &&
             inwards.dot(point.fromM - a) > 0) {
             offsets.push_back({offset, point.areaM2});
+            places.push_back(place);
         }
     }
-    return firstPeak(offsets, 1);
+    const std::optional<double> peak = firstPeak(offsets, 1);
+    return peak && coveredShare(offsets, places, *peak, lengthM) >= kCoveredShare ? peak : std::nullopt;
 }
 
 /// The point where two walls meet, each given by a point and a direction; b if they are nearly parallel.
@@ -411,6 +429,9 @@ std::optional<FittedRoom> fittedRoom(std::span<const PosedDepth> depths, const D
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const std::size_t before = (i + drawn.size() - 1) % drawn.size();
         shape.outline.push_back(meeting(moved[before], directions[before], moved[i], directions[i]));
+    }
+    if (defect(shape.outline) && !defect(drawn)) {
+        shape.outline = drawn; // walls were moved through each other
     }
     FittedRoom fitted{std::move(shape), isWrong, {}};
     if (isDrawn && !isWrong) {

@@ -11,6 +11,24 @@
 
 namespace spherewalk::scene {
 
+PictureSizes::PictureSizes(RgbImage picture, int mostWidth) {
+    constexpr int kLeastWidth = 64;
+    const bool isTooWide = mostWidth > 0 && picture.width() > mostWidth;
+    m_pictures.push_back(
+        isTooWide ? photo::resized(picture, mostWidth, mostWidth * picture.height() / picture.width())
+                  : std::move(picture));
+    while (m_pictures.back().width() >= 2 * kLeastWidth && m_pictures.back().height() >= 2) {
+        const RgbImage& last = m_pictures.back();
+        m_pictures.push_back(photo::resized(last, last.width() / 2, last.height() / 2));
+    }
+}
+
+const RgbImage& PictureSizes::atLeast(int width) const {
+    const auto isWide = [&](const RgbImage& picture) { return picture.width() >= width; };
+    const auto found = std::find_if(m_pictures.rbegin(), m_pictures.rend(), isWide);
+    return found != m_pictures.rend() ? *found : m_pictures.front();
+}
+
 void sampleColour(const RgbImage& photo, float u, float v, float* rgb) {
     const int left = std::min(static_cast<int>(u), photo.width() - 1);
     const int right = left + 1 < photo.width() ? left + 1 : 0;

@@ -6,6 +6,7 @@
 #include "spherewalk/base/digest.h"
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/folder.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/blurred_photo.h"
@@ -21,7 +22,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kMethod = 2; ///< grows when the same photos are cleared in another way
+constexpr int kMethod = 3; ///< grows when the same photos are cleared in another way
 constexpr std::size_t kHelpers = 8;
 constexpr double kLeastBaselineM = 0.1; ///< a nearer photo shows nothing that this one does not
 constexpr std::size_t kHelpersKept = 16;
@@ -42,12 +43,7 @@ RgbImage withoutPrivate(const DepthInput& photo, int leastWidth) {
 
 /// The photos that are looked at, spread evenly.
 std::vector<DepthInput> photosToLookAt(const std::vector<DepthInput>& photos) {
-    std::vector<DepthInput> chosen;
-    const std::size_t count = std::min(photos.size(), kPhotosToLookAt);
-    for (std::size_t k = 0; k < count; ++k) {
-        chosen.push_back(photos[k * photos.size() / count]);
-    }
-    return chosen;
+    return spreadEvenly(photos, kPhotosToLookAt);
 }
 
 scene::CarriedThings lookedAt(const std::vector<DepthInput>& photos, const std::stop_token& stop) {
@@ -117,7 +113,7 @@ ClearedPhotos::ClearedPhotos(std::vector<DepthInput> photos, survey::Room room,
     nearest.neighbours = static_cast<int>(kHelpers);
     nearest.leastBaselineM = kLeastBaselineM;
     for (std::size_t i = 0; i < m_photos.size(); ++i) {
-        m_helpers.push_back(scene::sweepNeighbours(poses, i, nearest));
+        m_helpers.push_back(scene::sweepNeighbours(poses, i, nearest, m_room.outline));
     }
     for (std::size_t i = 0; i < m_photos.size(); ++i) {
         const std::string key = keyOfPhoto(i);
@@ -132,9 +128,7 @@ std::string ClearedPhotos::keyOfPhoto(std::size_t photo) const {
     for (const float reach : m_carried.reachRad()) {
         key += text(" ", reach);
     }
-    for (const Eigen::Vector2d& corner : m_room.outline) {
-        key += text(" ", corner.x(), " ", corner.y());
-    }
+    key += keyOf(m_room.outline);
     for (const std::size_t other : m_helpers[photo]) {
         key += text("\n", m_photos[other].sha256, " ", keyOf(m_photos[other].roomFromPhoto));
         for (const survey::PrivateRegion& region : m_photos[other].regions) {

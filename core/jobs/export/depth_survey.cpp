@@ -6,6 +6,7 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/parallel.h"
 #include "spherewalk/base/recently_used.h"
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -20,6 +21,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -27,11 +29,11 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 8; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 9; ///< grows when the same photos and options give another depth
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
-constexpr int kRefinement = 2;              ///< grows when the same agreed depths are refined another way
+constexpr int kRefinement = 3;              ///< grows when the same agreed depths are refined another way
 constexpr int kPhotosAtOnce = 4;            ///< whose depth is estimated; each takes 150 MB
 constexpr double kShareOfStep = 0.25;       ///< an agreement's or a refinement's time, of the sweep's
 constexpr int kSmallWidth = 256;            ///< of the pictures that exposures are told from
@@ -61,10 +63,14 @@ class DepthJob {
             m_poses.push_back(photo.roomFromPhoto);
         }
         for (std::size_t i = 0; i < photos.size(); ++i) {
-            m_neighbours.push_back(scene::sweepNeighbours(m_poses, i, options.sweep));
+            m_neighbours.push_back(scene::sweepNeighbours(m_poses, i, options.sweep, options.drawn.outline));
             m_agreeing.push_back(m_neighbours.back());
             m_agreeing.back().resize(
                 std::min(m_agreeing.back().size(), static_cast<std::size_t>(options.agreeing)));
+        }
+        m_sceneKey = text(options.drawn.ceilingM, jobs::keyOf(options.drawn.outline));
+        for (const std::size_t photo : photosForScene()) {
+            m_sceneKey += keyOf({Kind::Agree, photo});
         }
         ensureFolder(options.cacheFolder);
     }
@@ -79,8 +85,7 @@ class DepthJob {
             result.report.reused += isThere(result.files[i]) ? 1 : 0;
         }
         result.report.photos = photos.size();
-        estimateMissing(result.report);
-        estimateScene(photosForScene(), result);
+        estimateMissing(result);
         if (!m_options.onlyForScene) {
             result.gains = exposures(photos);
         }
@@ -91,7 +96,7 @@ class DepthJob {
 
     DepthForecast forecast(bool withTrial) {
         DepthForecast result;
-        const std::set<Step> steps = missing();
+        const std::set<Step> steps = missing(wanted(), lastKind());
         const auto sweeps = steps.lower_bound({Kind::Sweep, 0});
         result.photos = wanted().size();
         result.missing = static_cast<std::size_t>(std::distance(sweeps, steps.end()));
@@ -152,14 +157,21 @@ class DepthJob {
         }
     }
 
-    /// All steps whose result no earlier run has kept.
-    std::set<Step> missing() const {
+    /// The steps up to this kind whose result no earlier run has kept.
+    std::set<Step> missing(const std::vector<std::size_t>& photos, Kind last) const {
         std::set<Step> steps;
-        for (const std::size_t photo : wanted()) {
-            addIfMissing({lastKind(), photo}, steps);
+        for (const std::size_t photo : photos) {
+            addIfMissing({last, photo}, steps);
             addIfMissing({Kind::Agree, photo}, steps); // which exposures and the scene need
         }
         return steps;
+    }
+
+    static double timeOf(const Step& step) { return step.kind == Kind::Sweep ? 1.0 : kShareOfStep; }
+
+    static double timeOf(const std::set<Step>& steps) {
+        return std::accumulate(steps.begin(), steps.end(), 0.0,
+                               [](double sum, const Step& step) { return sum + timeOf(step); });
     }
 
     /// The steps that are left, those first for which most was done, while it is in memory.
@@ -189,17 +201,21 @@ class DepthJob {
         return needs;
     }
 
+    /// Refinements need the room, and so the depths that it is found in.
+    void estimateMissing(SurveyDepth& result) {
+        const double all = timeOf(missing(wanted(), lastKind()));
+        estimate(missing(photosForScene(), Kind::Agree), result.report, all);
+        estimateScene(result);
+        m_room = result.room;
+        estimate(missing(wanted(), lastKind()), result.report, all);
+    }
+
     /// Works on several photos at a time, as threads that share one photo often wait for each other.
-    void estimateMissing(const DepthReport& report) {
-        const std::vector<Step> steps = inOrder(missing());
+    void estimate(const std::set<Step>& missing, const DepthReport& report, double all) {
+        const std::vector<Step> steps = inOrder(missing);
         const int threads = m_options.sweep.threads > 0 ? m_options.sweep.threads : hardwareThreads();
         const int atOnce = std::clamp(static_cast<int>(steps.size()), 1, std::min(threads, kPhotosAtOnce));
-        const auto timeOf = [](const Step& step) { return step.kind == Kind::Sweep ? 1.0 : kShareOfStep; };
-        double all = 0;
-        for (const Step& step : steps) {
-            all += timeOf(step);
-        }
-        double done = 0;
+        double done = all - timeOf(this->missing(wanted(), lastKind()));
         std::size_t ready = report.reused;
         std::mutex telling;
         parallelTasks(needsOf(steps), atOnce, [&](int i) {
@@ -270,7 +286,8 @@ class DepthJob {
                 key += placeKey(other);
             }
         } else {
-            key = step.kind == Kind::Agree ? std::string("agreed") : text("refined ", kRefinement);
+            key = step.kind == Kind::Agree ? std::string("agreed")
+                                           : text("refined ", kRefinement, " ", m_sceneKey);
             for (const Step& needed : before(step)) {
                 key += " " + keyOf(needed);
             }
@@ -282,23 +299,16 @@ class DepthJob {
         return m_options.cacheFolder / (keyOf(step).substr(0, 32) + ".pgm");
     }
 
+    /// A photo at the least size that JPEG offers and that is twice as wide as the depth, or as it is.
     std::shared_ptr<const scene::PictureSizes> picture(std::size_t photo) {
         return m_pictures.get(photo, [&] {
+            if (m_options.beforeReading) {
+                m_options.beforeReading(photo);
+            }
+            const std::filesystem::path& file = m_photos[photo].file;
             const int width = 2 * m_options.sweep.width;
-            RgbImage read = decoded(photo, width);
-            return scene::PictureSizes(read.width() > width
-                                           ? photo::resized(read, width, width * read.height() / read.width())
-                                           : std::move(read));
+            return scene::PictureSizes(jpeg::decodeAtLeast(readFile(file), file.string(), width), width);
         });
-    }
-
-    /// A photo at the least size that JPEG offers and that has this width, or as it is.
-    RgbImage decoded(std::size_t photo, int leastWidth) const {
-        if (m_options.beforeReading) {
-            m_options.beforeReading(photo);
-        }
-        const std::filesystem::path& file = m_photos[photo].file;
-        return jpeg::decodeAtLeast(readFile(file), file.string(), leastWidth);
     }
 
     void sweep(std::size_t photo, int threads) {
@@ -317,22 +327,18 @@ class DepthJob {
     }
 
     /// Each depth is read as it was kept, so that it is rounded as a later run will find it.
-    std::shared_ptr<const scene::PhotoDepth> swept(std::size_t photo) {
-        return m_swept.get(photo, [&] { return kept(fileOf({Kind::Sweep, photo})); });
-    }
-
-    std::shared_ptr<const scene::PhotoDepth> agreed(std::size_t photo) {
-        return m_agreed.get(photo, [&] { return kept(fileOf({Kind::Agree, photo})); });
+    std::shared_ptr<const scene::PhotoDepth> found(const Step& step) {
+        return m_depths.get(step, [&] { return kept(fileOf(step)); });
     }
 
     void agree(std::size_t photo, int threads) {
         std::vector<std::shared_ptr<const scene::PhotoDepth>> depths;
         std::vector<scene::PosedDepth> neighbours;
         for (const std::size_t other : m_agreeing[photo]) {
-            depths.push_back(swept(other));
+            depths.push_back(found({Kind::Sweep, other}));
             neighbours.push_back(posed(other, *depths.back()));
         }
-        const auto own = swept(photo);
+        const auto own = found({Kind::Sweep, photo});
         const auto pictures = picture(photo);
         keep(fileOf({Kind::Agree, photo}),
              scene::agreeingDepth(posed(photo, *own), pictures->atLeast(m_options.sweep.width), neighbours,
@@ -344,14 +350,16 @@ class DepthJob {
         std::vector<std::shared_ptr<const scene::PhotoDepth>> depths;
         const auto known = [&](std::size_t i) {
             pictures.push_back(picture(i));
-            depths.push_back(agreed(i));
+            depths.push_back(found({Kind::Agree, i}));
             return scene::KnownPhoto{posed(i, *pictures.back()), depths.back().get()};
         };
         std::vector<scene::KnownPhoto> neighbours;
         for (const std::size_t other : m_agreeing[photo]) {
             neighbours.push_back(known(other));
         }
-        keep(fileOf({Kind::Refine, photo}), scene::refinedDepth(known(photo), neighbours, threads, m_stop));
+        keep(fileOf({Kind::Refine, photo}),
+             scene::refinedDepth(known(photo), neighbours, m_room ? &m_room->shape : nullptr, threads,
+                                 m_stop));
     }
 
     std::vector<std::size_t> photosWithNeighbours() const {
@@ -366,13 +374,7 @@ class DepthJob {
 
     /// Those that radius and room are estimated from, spread evenly.
     std::vector<std::size_t> photosForScene() const {
-        const std::vector<std::size_t> all = photosWithNeighbours();
-        const std::size_t count = std::min(all.size(), kPhotosForScene);
-        std::vector<std::size_t> chosen;
-        for (std::size_t k = 0; k < count; ++k) {
-            chosen.push_back(all[k * all.size() / count]);
-        }
-        return chosen;
+        return spreadEvenly(photosWithNeighbours(), kPhotosForScene);
     }
 
     /// The picture that exposures are told from.
@@ -388,10 +390,10 @@ class DepthJob {
         for (const std::size_t photo : photos) {
             throwIfStopped(m_stop);
             const auto own = small(photo);
-            const auto depth = agreed(photo);
+            const auto depth = found({Kind::Agree, photo});
             for (const std::size_t other : m_agreeing[photo]) {
                 const auto its = small(other);
-                const auto itsDepth = agreed(other);
+                const auto itsDepth = found({Kind::Agree, other});
                 const auto gains = scene::gainsBySurfaces({posed(photo, *own), depth.get()},
                                                           {posed(other, *its), itsDepth.get()});
                 if (gains) {
@@ -402,10 +404,8 @@ class DepthJob {
         return scene::commonGains(m_photos.size(), ratios);
     }
 
-    void estimateScene(const std::vector<std::size_t>& photos, SurveyDepth& result) const {
-        if (photos.empty()) {
-            return;
-        }
+    void estimateScene(SurveyDepth& result) const {
+        const std::vector<std::size_t> photos = photosForScene();
         std::vector<scene::PhotoDepth> depths(photos.size());
         std::vector<scene::PosedDepth> known;
         for (std::size_t k = 0; k < photos.size(); ++k) {
@@ -423,10 +423,11 @@ class DepthJob {
     std::vector<Rigid3> m_poses;
     std::vector<std::vector<std::size_t>> m_neighbours;
     std::vector<std::vector<std::size_t>> m_agreeing; ///< The nearest ones of them.
+    std::string m_sceneKey;                           ///< All that radius and room depend on.
+    std::optional<scene::FittedRoom> m_room;          ///< Once it is found.
     RecentlyUsed<std::size_t, scene::PictureSizes> m_pictures{kPicturesKept};
     RecentlyUsed<std::size_t, RgbImage> m_small{kSmallKept};
-    RecentlyUsed<std::size_t, scene::PhotoDepth> m_swept{kPicturesKept};
-    RecentlyUsed<std::size_t, scene::PhotoDepth> m_agreed{kPicturesKept};
+    RecentlyUsed<Step, scene::PhotoDepth> m_depths{2 * kPicturesKept};
 };
 
 } // namespace

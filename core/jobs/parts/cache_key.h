@@ -3,6 +3,7 @@
 
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/camera_model.h"
+#include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
 
 #include <string>
@@ -14,6 +15,15 @@ inline std::string keyOf(const Rigid3& pose) {
     const Eigen::Quaterniond& q = pose.rotation;
     const Eigen::Vector3d& t = pose.translation;
     return text(q.w(), " ", q.x(), " ", q.y(), " ", q.z(), " ", t.x(), " ", t.y(), " ", t.z());
+}
+
+/// The outline as a part of a cache key.
+inline std::string keyOf(const Polygon& outline) {
+    std::string key;
+    for (const Eigen::Vector2d& corner : outline) {
+        key += text(" ", corner.x(), " ", corner.y());
+    }
+    return key;
 }
 
 /// The camera as a part of a cache key.

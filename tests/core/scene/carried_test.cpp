@@ -185,6 +185,23 @@ TEST(Carried, TheFloorStandsInItsPlaceAsOtherPhotosShowIt) {
     }
 }
 
+TEST(Carried, NothingIsTakenFromPhotosBehindAWall) {
+    const CartPhotos photos = photographed(roundRobot, 4, 3);
+    const std::vector<PosedPicture> posed = photos.posed();
+    survey::Room closet; // about the first photo
+    closet.outline = {{0.75, 0.75}, {1.65, 0.75}, {1.65, 1.65}, {0.75, 1.65}};
+    closet.ceilingM = 2.5;
+    const FilledPicture clear =
+        withoutCarried(posed[0], std::span(posed).subspan(1), carriedThings(posed), closet);
+    for (int y = 0; y < kCartSize.height;
+         ++y) { // of the floor; a wall of no thickness is seen from behind, too
+        for (int x = 0; x < kCartSize.width; ++x) {
+            const bool isFloor = direction(kCartSize, Eigen::Vector2d(x, y)).z() < -std::cos(15 * kDegree);
+            ASSERT_TRUE(!isFloor || *clear.filled.at(x, y) == 0) << x << " " << y;
+        }
+    }
+}
+
 TEST(Carried, WhatNoOtherPhotoSeesStaysAsItIs) {
     const CartPhotos photos = photographed(roundRobot, 4, 3);
     const CarriedThings things = carriedThings(photos.posed());

@@ -88,14 +88,14 @@ TEST(DepthRefinement, TakesOverWhatNeighboursKnow) {
     const KnownRoom& room = KnownRoom::made();
     const PhotoDepth before = unknown();
     ASSERT_LT(shareRight(before, room.depths[0]), 0.1);
-    const PhotoDepth refined = refinedDepth(room.photo(0, before), room.others());
-    EXPECT_GT(shareRight(refined, room.depths[0]), 0.75);
+    const PhotoDepth refined = refinedDepth(room.photo(0, before), room.others(), nullptr);
+    EXPECT_GT(shareRight(refined, room.depths[0]), 0.7); // the rest keeps what it was
     EXPECT_GT(std::count(refined.sure.values().begin(), refined.sure.values().end(), 255), 0);
 }
 
 TEST(DepthRefinement, LeavesATrueDepthAsItIs) {
     const KnownRoom& room = KnownRoom::made();
-    EXPECT_GT(shareRight(refinedDepth(room.photo(0), room.others()), room.depths[0]), 0.93);
+    EXPECT_GT(shareRight(refinedDepth(room.photo(0), room.others(), nullptr), room.depths[0]), 0.93);
 }
 
 TEST(DepthRefinement, TakesNothingFromANeighbourThatIsSureOfNothing) {
@@ -103,7 +103,7 @@ TEST(DepthRefinement, TakesNothingFromANeighbourThatIsSureOfNothing) {
     const PhotoDepth nothing = unknown();
     const PhotoDepth before = unknown();
     const std::vector<KnownPhoto> others{room.photo(1, nothing), room.photo(3, nothing)};
-    const PhotoDepth refined = refinedDepth(room.photo(0, before), others);
+    const PhotoDepth refined = refinedDepth(room.photo(0, before), others, nullptr);
     EXPECT_EQ(std::count(refined.sure.values().begin(), refined.sure.values().end(), 255), 0);
     EXPECT_TRUE(std::all_of(refined.inverseM.values().begin(), refined.inverseM.values().end(),
                             [](float value) { return std::abs(value - 0.9F) < 1e-3F; }));
@@ -126,7 +126,7 @@ TEST(DepthRefinement, LeavesBareSurfacesAsTheyAre) {
     const PhotoDepth before = unknown();
     const std::vector<KnownPhoto> others{{{&walls[1], room.poses[1]}, &other},
                                          {{&walls[2], room.poses[2]}, &other}};
-    const PhotoDepth refined = refinedDepth({{walls.data(), room.poses[0]}, &before}, others);
+    const PhotoDepth refined = refinedDepth({{walls.data(), room.poses[0]}, &before}, others, nullptr);
     EXPECT_TRUE(std::all_of(refined.inverseM.values().begin(), refined.inverseM.values().end(),
                             [](float value) { return std::abs(value - 0.9F) < 1e-3F; }));
 }
@@ -134,22 +134,63 @@ TEST(DepthRefinement, LeavesBareSurfacesAsTheyAre) {
 TEST(DepthRefinement, IsTheSameForAnyNumberOfThreads) {
     const KnownRoom& room = KnownRoom::made();
     const PhotoDepth before = unknown();
-    const PhotoDepth one = refinedDepth(room.photo(0, before), room.others(), 1);
-    const PhotoDepth three = refinedDepth(room.photo(0, before), room.others(), 3);
+    const PhotoDepth one = refinedDepth(room.photo(0, before), room.others(), nullptr, 1);
+    const PhotoDepth three = refinedDepth(room.photo(0, before), room.others(), nullptr, 3);
     EXPECT_EQ(one.inverseM, three.inverseM);
     EXPECT_EQ(one.sure, three.sure);
 }
 
+namespace {
+
+/// The true depth, of which only a band about the horizon is sure; the rest says nothing.
+PhotoDepth sureAboutTheHorizon(const PhotoDepth& truth) {
+    PhotoDepth depth = unknown();
+    for (int y = depth.sure.height() * 3 / 8; y < depth.sure.height() * 5 / 8; ++y) {
+        std::copy_n(truth.inverseM.at(0, y), depth.sure.width(), depth.inverseM.at(0, y));
+        std::fill_n(depth.sure.at(0, y), depth.sure.width(), std::uint8_t{255});
+    }
+    return depth;
+}
+
+double shareRightAbove(const PhotoDepth& depth, const PhotoDepth& truth) {
+    int right = 0;
+    const int rows = depth.inverseM.height() / 4;
+    for (int i = 0; i < rows * depth.inverseM.width(); ++i) {
+        const float exact = truth.inverseM.values()[static_cast<std::size_t>(i)];
+        right +=
+            std::abs(depth.inverseM.values()[static_cast<std::size_t>(i)] - exact) < 0.05F * exact ? 1 : 0;
+    }
+    return static_cast<double>(right) / (rows * depth.inverseM.width());
+}
+
+} // namespace
+
+TEST(DepthRefinement, IsTheRoomFarFromWhatIsSureUnlessThePhotoContradictsIt) {
+    const KnownRoom& room = KnownRoom::made();
+    const PhotoDepth before = sureAboutTheHorizon(room.depths[0]);
+    const PhotoDepth nothing = unknown();
+    const std::vector<KnownPhoto> others{room.photo(1, nothing), room.photo(2, nothing)};
+    const render::RoomShape shape{{{0, 0}, {5, 0}, {5, 4}, {0, 4}}, 0, 2.6};
+    const render::RoomShape wider{{{-1, -1}, {6, -1}, {6, 5}, {-1, 5}}, 0, 2.6};
+    const PhotoDepth without = refinedDepth(room.photo(0, before), others, nullptr);
+    const PhotoDepth within = refinedDepth(room.photo(0, before), others, &shape);
+    EXPECT_GT(shareRightAbove(within, room.depths[0]), 0.9);
+    EXPECT_LT(shareRightAbove(without, room.depths[0]), 0.6);
+    EXPECT_EQ(within.sure, without.sure);
+    EXPECT_EQ(refinedDepth(room.photo(0, before), others, &wider).inverseM, without.inverseM);
+}
+
 TEST(DepthRefinement, LeavesADepthWithoutNeighboursAsItIs) {
     const KnownRoom& room = KnownRoom::made();
-    EXPECT_EQ(refinedDepth(room.photo(0), {}).inverseM, room.depths[0].inverseM);
+    EXPECT_EQ(refinedDepth(room.photo(0), {}, nullptr).inverseM, room.depths[0].inverseM);
 }
 
 TEST(DepthRefinement, RefusesDepthsOfAnotherSize) {
     const KnownRoom& room = KnownRoom::made();
     const PhotoDepth small{Image<float, 1>(128, 64), MaskImage(128, 64)};
     const std::vector<KnownPhoto> others{room.photo(1, small)};
-    test::expectError(ErrorKind::InvalidInput, "another size", [&] { refinedDepth(room.photo(0), others); });
+    test::expectError(ErrorKind::InvalidInput, "another size",
+                      [&] { refinedDepth(room.photo(0), others, nullptr); });
 }
 
 TEST(DepthRefinement, StopsWhenAsked) {
@@ -157,7 +198,7 @@ TEST(DepthRefinement, StopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     test::expectError(ErrorKind::Stopped, "",
-                      [&] { refinedDepth(room.photo(0), room.others(), 1, stop.get_token()); });
+                      [&] { refinedDepth(room.photo(0), room.others(), nullptr, 1, stop.get_token()); });
 }
 
 namespace {

@@ -183,6 +183,18 @@ TEST(DepthSweep, LeavesOutPhotosOfTheSamePlace) {
     EXPECT_EQ(sweepNeighbours(poses, 0, quick()), std::vector<std::size_t>{2});
 }
 
+TEST(DepthSweep, AsksPhotosBehindAWallOnlyWhereFewOthersAreThere) {
+    std::vector<Rigid3> poses(6, Rigid3{Eigen::Quaterniond::Identity(), {0, 0, 1.2}});
+    const double places[] = {0, 0.8, -1, -1.2, -1.4, 1};
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        poses[i].translation.x() = places[i];
+    }
+    const Polygon walls{{-5, -1}, {0.35, -1}, {0.35, 1}, {-5, 1}}; // between the first photo and two others
+    EXPECT_EQ(sweepNeighbours(poses, 0, {}, walls), (std::vector<std::size_t>{2, 3, 4}));
+    EXPECT_EQ(sweepNeighbours(poses, 1, {}, walls), (std::vector<std::size_t>{5, 0, 2}));
+    EXPECT_EQ(sweepNeighbours(poses, 0, {}), (std::vector<std::size_t>{1, 2, 5, 3, 4}));
+}
+
 TEST(DepthSweep, SurvivesABaselineOfZero) {
     const Survey& survey = Survey::made();
     const std::vector<PosedPicture> same{survey.photo(0)};

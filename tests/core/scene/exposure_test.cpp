@@ -64,6 +64,27 @@ TEST(ExposureBySurfaces, IsRightToHalfAPercentAStepAway) {
     }
 }
 
+// Half of what the photo shows is a wall that the other one sees two metres aside.
+TEST(ExposureByDistances, IsRightToAPercentBesideAWall) {
+    practice::PracticeRoomOptions options;
+    options.style = practice::RoomStyle::Flat;
+    options.sizeM = {8, 6, 2.5};
+    const practice::PracticeRoom flat(options);
+    const Gains darker{0.96F, 0.97F, 0.98F};
+    const Rigid3 pose{Eigen::Quaterniond::Identity(), {3.6, 2.6, 1.2}};
+    const Rigid3 aside{Eigen::Quaterniond::Identity(), {3.6, 1.8, 1.2}};
+    const RgbImage picture = flat.spherical(pose, {256, 128});
+    const RgbImage other = times(flat.spherical(aside, {256, 128}), darker);
+    Image<float, 1> inverseM(256, 128);
+    const DepthImage range = flat.sphericalRange(pose, {256, 128});
+    std::transform(range.values().begin(), range.values().end(), inverseM.values().begin(),
+                   [](float m) { return 1 / m; });
+    const Gains near = gainsTo({&picture, pose}, inverseM, {&other, aside});
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(near[c] * darker[c], 1, 0.01) << c;
+    }
+}
+
 TEST(ExposureBySurfaces, IsNotToldWithoutPlacesThatBothSee) {
     const Known one(2.0, 1.6, 0, {1, 1, 1});
     Known unsure(2.4, 1.6, 0, {1, 1, 1});

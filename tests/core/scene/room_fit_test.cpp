@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random.h"
 
+#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/scene/room_fit.h"
 
 #include <gtest/gtest.h>
@@ -103,6 +104,28 @@ TEST(RoomFit, KeepsApartTheSidesOfAThinWallBetweenRooms) {
     for (std::size_t i = 0; i < rooms.outline.size(); ++i) {
         EXPECT_LT((found->shape.outline[i] - rooms.outline[i]).norm(), 0.03) << i;
     }
+}
+
+TEST(RoomFit, MovesNoWallToAThingBeforeIt) {
+    const render::RoomShape withPillar{
+        {{0, 0}, {1.5, 0}, {1.5, 0.25}, {2, 0.25}, {2, 0}, {4, 0}, {4, 3}, {0, 3}}, 0, 2.5};
+    Photos photos(withPillar);
+    for (std::size_t i = 0; i < photos.depths.size(); ++i) { // of that wall, only the pillar is sure
+        PhotoDepth& depth = photos.depths[i];
+        const EquirectSize size{depth.sure.width(), depth.sure.height()};
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                const Eigen::Vector3d ray = direction(size, Eigen::Vector2d(x, y));
+                const double distance = 1 / static_cast<double>(*depth.inverseM.at(x, y));
+                *depth.sure.at(x, y) =
+                    (photos.poses[i].translation + distance * ray).y() < 0.1 ? std::uint8_t{0} : 255;
+            }
+        }
+    }
+    const auto found = fittedRoom(photos.posed, {kRoom.outline, 2.5});
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->shape.outline[0].y(), 0, 0.01);
+    EXPECT_NEAR(found->shape.outline[1].y(), 0, 0.01);
 }
 
 TEST(RoomFit, BelievesNoOutlineThatThePhotosContradict) {

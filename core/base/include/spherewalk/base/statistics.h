@@ -49,6 +49,17 @@ MedianAndSpread<Number> medianAndSpread(std::vector<Number> values) {
     return {middle, static_cast<Number>(1.4826) * quantileInPlace(values, 0.5)};
 }
 
+/// So many of the values, spread evenly over their places; all if there are fewer.
+template <class Value>
+std::vector<Value> spreadEvenly(const std::vector<Value>& all, std::size_t most) {
+    const std::size_t count = std::min(all.size(), most);
+    std::vector<Value> chosen;
+    for (std::size_t k = 0; k < count; ++k) {
+        chosen.push_back(all[k * all.size() / count]);
+    }
+    return chosen;
+}
+
 /// Spearman's rank correlation of two lists: 1 if both put everything in the same order, -1 in the opposite
 /// order. Equal values share a rank. Nothing for fewer than three values, for lists of different lengths, and
 /// for a list of one value throughout. Range: finite values. Source: Spearman 1904.

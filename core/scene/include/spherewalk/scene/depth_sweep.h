@@ -4,7 +4,9 @@
 #include "spherewalk/base/image.h"
 #include "spherewalk/base/progress.h"
 #include "spherewalk/geometry/lens_pair.h"
+#include "spherewalk/geometry/polygon.h"
 #include "spherewalk/geometry/rigid3.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <span>
 #include <stop_token>
@@ -15,7 +17,8 @@ namespace spherewalk::scene {
 /// A picture and smaller ones of it, made once for many uses.
 class PictureSizes {
   public:
-    explicit PictureSizes(RgbImage picture);
+    /// mostWidth: what a wider picture is made smaller to; 0 leaves it as it is.
+    explicit PictureSizes(RgbImage picture, int mostWidth = 0);
 
     const RgbImage& largest() const { return m_pictures.front(); }
 
@@ -62,8 +65,10 @@ struct SweepOptions {
 };
 
 /// Indices of the photos that a photo's depth is found with: the nearest ones that are far enough away.
+/// walls: the room's outline; empty if it is not known. What stands behind a wall shows little of what the
+/// photo shows, so such photos only make up three.
 std::vector<std::size_t> sweepNeighbours(std::span<const Rigid3> roomFromPhotos, std::size_t photo,
-                                         const SweepOptions& options);
+                                         const SweepOptions& options, const Polygon& walls = {});
 
 /// The rank of each photo in an order in which photos beside each other mostly follow each other: in strips
 /// across the room that are a few photos wide. Range: finite poses.
@@ -105,10 +110,12 @@ struct KnownPhoto {
 /// photo, and taken over where it fits the pictures better than the photo's own depth. Edges go where they
 /// fit best, by up to three pixels. A neighbour has no say where its own depth shows something nearer. Bare
 /// surfaces stay as they are, since pictures of them tell no distance. What is taken over is `sure`. At last
-/// planes are continued from all that is sure over what is not. Shape: all depths are of one width, a
-/// multiple of 4. Cost: 0.7 s of one core with four neighbours. Errors: InvalidInput if sizes differ;
-/// Stopped.
-PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads = 0,
-                        const std::stop_token& stop = {});
+/// planes are continued from all that is sure over what is not. Far from what is sure the photo shows the
+/// room's walls, floor and ceiling, if it stands in the room and two fifths of what it surely shows towards
+/// walls lie on them. Else it keeps what neighbours agreed on there. Shape: all depths are of one width, a
+/// multiple of 16. room: may be null. Cost: 0.7 s of one core with four neighbours. Errors: InvalidInput if
+/// sizes differ; Stopped.
+PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours,
+                        const render::RoomShape* room, int threads = 0, const std::stop_token& stop = {});
 
 } // namespace spherewalk::scene

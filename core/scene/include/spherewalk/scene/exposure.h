@@ -23,6 +23,11 @@ using Gains = std::array<float, 3>;
 /// black pixels do not count. A gain that cannot be told from 1 is 1.
 Gains gainsTo(const PosedPicture& photo, const PosedPicture& other);
 
+/// The same over places that the photo shows, where it is about known how far away they are. Beside a wall
+/// that is nearer than the other photo, the same direction shows other things. inverseM: 1 / distance, of an
+/// equirectangular picture of any size.
+Gains gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const PosedPicture& other);
+
 /// The gains with which another photo is as bright as this one: the median of the factor over places that
 /// both show, as the depths of both tell. Burnt and black pixels do not count. It is nothing where the photos
 /// share less than a hundred places. Range: pictures and depths of any 2:1 sizes; pictures of about 256
