@@ -75,6 +75,10 @@ class PracticePlace : public KnownPlace {
         return rangeM(from, along);
     }
 
+    double depthM(const Eigen::Vector3d& from, const Eigen::Vector3d& along) const override {
+        return rangeM(from, along);
+    }
+
   private:
     double rangeM(const Eigen::Vector3d& from, const Eigen::Vector3d& along) const {
         return m_room.cast(from, along, 0.001).rangeM;

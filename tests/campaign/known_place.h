@@ -58,6 +58,12 @@ class KnownPlace {
     virtual bool isSeenThrough(const Eigen::Vector3d& point) const = 0;
     /// To the nearest thing at the height of the laser, at least.
     virtual double clearanceM(const Eigen::Vector3d& point) const = 0;
+
+    /// How far a photo's depth should say that something is; infinite where the truth does not know.
+    virtual double depthM(const Eigen::Vector3d& /*from*/, const Eigen::Vector3d& /*along*/) const {
+        return std::numeric_limits<double>::infinity();
+    }
+
     /// What a level laser measures; infinite where the truth does not know.
     virtual double laserM(const Eigen::Vector3d& from, const Eigen::Vector3d& along) const = 0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// How far what `export --format` wrote of a place is from the truth: spherewalk_place_truth PLACE DATASET
 /// EXPORT PLACE: see practicePlace() and scannedPlace(). EXPORT: a folder with surface.ply, map.yaml or
-/// world.sdf.
+/// world.sdf. Of a practice room, the depths of the dataset's photos are compared, too.
 #include "known_place.h"
 #include "ply_reader.h"
 #include "random.h"
@@ -10,6 +10,8 @@
 #include "spherewalk/base/file.h"
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/base/text.h"
+#include "spherewalk/geometry/equirect.h"
+#include "spherewalk/render/scene_depth.h"
 
 #include <cmath>
 #include <iostream>
@@ -269,12 +271,68 @@ void tellLaser(const KnownPlace& known, const render::RoomShape& room,
               << " % too near and " << fixed(100 * farther / count, 1) << " % too far by more than 60 mm\n";
 }
 
+/// How far depths are from the truth, as a share of the distance. Pixels count by their solid angle.
+struct DepthErrors {
+    double area = 0;
+    double off = 0;    ///< By more than 5 %.
+    double farOff = 0; ///< By more than 20 %.
+    std::vector<double> errors;
+
+    void add(double error, double pixelArea) {
+        area += pixelArea;
+        off += error > 0.05 ? pixelArea : 0;
+        farOff += error > 0.2 ? pixelArea : 0;
+        errors.push_back(error);
+    }
+
+    std::string told() const {
+        return errors.empty() ? "none"
+                              : text("median ", fixed(100 * quantile(errors, 0.5), 2), " %, ",
+                                     fixed(100 * off / area, 1), " % off by more than 5 %, ",
+                                     fixed(100 * farOff / area, 1), " % by more than 20 %");
+    }
+};
+
+void tellDepths(const KnownPlace& place, const render::Dataset& dataset) {
+    constexpr int kEvery = 4;
+    std::map<bool, DepthErrors> errors;
+    const render::DatasetInfo& info = dataset.info();
+    for (std::size_t i = 0; i < info.photos.size(); ++i) {
+        const render::DatasetPhoto& photo = info.photos[i];
+        if (photo.depth.empty()) {
+            continue;
+        }
+        const auto map = render::DepthMap::read(dataset.folder() / photo.depth);
+        const EquirectSize size{map.width(), map.height()};
+        for (int y = kEvery / 2; y < size.height; y += kEvery) {
+            for (int x = kEvery / 2; x < size.width; x += kEvery) {
+                const Eigen::Vector3d way = direction(size, Eigen::Vector2d(x, y));
+                const double truthM = place.depthM(photo.roomFromPhoto * photo.lenses.place(way),
+                                                   photo.roomFromPhoto.rotation * way);
+                if (std::isfinite(truthM)) {
+                    const double depthM = 1 / static_cast<double>(*map.inverseM().at(x, y));
+                    errors[*map.sure().at(x, y) != 0].add(std::abs(depthM / truthM - 1),
+                                                          way.head<2>().norm());
+                }
+            }
+        }
+    }
+    const double all = errors[false].area + errors[true].area;
+    if (all > 0) {
+        std::cout << "depths: " << fixed(100 * errors[true].area / all, 1)
+                  << " % of all directions are sure; of them " << errors[true].told() << "; of the others "
+                  << errors[false].told() << "\n";
+    }
+}
+
 void tell(const std::string& name, const std::filesystem::path& dataset,
           const std::filesystem::path& folder) {
-    const render::DatasetInfo info = render::Dataset::open(dataset).info();
+    const render::Dataset opened = render::Dataset::open(dataset);
+    const render::DatasetInfo& info = opened.info();
     const std::unique_ptr<KnownPlace> place =
         std::filesystem::exists(std::filesystem::path(name) / "truth.json") ? scannedPlace(name)
                                                                             : practicePlace(name, info);
+    tellDepths(*place, opened);
     if (std::filesystem::exists(folder / "surface.ply")) {
         const auto vertices = test::readPly(folder / "surface.ply").vertices;
         tellErrors(*place, vertices);

@@ -46,11 +46,11 @@ struct FittedRoom {
 /// Walls, floor and ceiling from depths. Floor and ceiling lie at the lowest and the highest level where many
 /// points heap up, within half a metre of where they were drawn. Each wall of the drawn outline is moved
 /// along its normal, by up to half a metre, to the outermost place where points heap up, since furniture
-/// stands before walls. What too little is seen of stays as it was drawn. Without a drawn outline the walls
-/// are those of a rectangle, turned as most upright surfaces are; the floor is sought to 3 m below the
-/// photos, and the ceiling to 10 m above them. An outline that the photos contradict counts as not drawn.
-/// Frames: the room frame; only points that are `sure` count.
-/// Empty if too little is seen of all walls, or of a floor or ceiling that was not drawn.
+/// stands before walls. A wall of which less than two fifths of the length are seen stays as it was drawn.
+/// Without a drawn outline the walls are those of a rectangle, turned as most upright surfaces are; the floor
+/// is sought to 3 m below the photos, and the ceiling to 10 m above them. An outline that the photos
+/// contradict counts as not drawn. Frames: the room frame; only points that are `sure` count. Empty if too
+/// little is seen of all walls, or of a floor or ceiling that was not drawn.
 std::optional<FittedRoom> fittedRoom(std::span<const PosedDepth> depths, const DrawnRoom& room = {});
 
 } // namespace spherewalk::scene
