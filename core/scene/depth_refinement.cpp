@@ -137,9 +137,9 @@ class Refinement {
             at.z() >= room->ceilingM) {
             return photo.depth->inverseM;
         }
-        Plane about =
+        const Plane about =
             render::roomDepth(*room, pose, photo.depth->inverseM.width(), photo.photo.lenses).inverseM();
-        return fits(*room, photo, about) ? std::move(about) : photo.depth->inverseM;
+        return fits(*room, photo, about) ? about : photo.depth->inverseM;
     }
 
     static Plane guide(const SweepPicture& photo) {
