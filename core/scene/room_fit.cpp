@@ -248,16 +248,6 @@ Polygon rectangleAbout(const std::vector<Seen>& walls) {
             x[0] * along + y[1] * across};
 }
 
-double signedArea(const Polygon& polygon) {
-    double sum = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vector2d& a = polygon[i];
-        const Vector2d& b = polygon[(i + 1) % polygon.size()];
-        sum += a.x() * b.y() - a.y() * b.x();
-    }
-    return sum / 2;
-}
-
 /// Whether most of the points stand beyond the outline by more than a wall is moved. Through doors and
 /// windows photos see beyond a right one, too, but less than they see of its own walls.
 bool contradicts(const std::vector<Seen>& walls, const Polygon& outline) {

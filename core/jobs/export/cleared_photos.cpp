@@ -41,11 +41,6 @@ RgbImage withoutPrivate(const DepthInput& photo, int leastWidth) {
     return picture;
 }
 
-/// The photos that are looked at, spread evenly.
-std::vector<DepthInput> photosToLookAt(const std::vector<DepthInput>& photos) {
-    return spreadEvenly(photos, kPhotosToLookAt);
-}
-
 scene::CarriedThings lookedAt(const std::vector<DepthInput>& photos, const std::stop_token& stop) {
     std::vector<RgbImage> pictures;
     for (const DepthInput& photo : photos) {
@@ -74,7 +69,7 @@ std::optional<scene::CarriedThings> keptThings(const std::filesystem::path& file
 /// What is carried along. It is looked for once for the same photos.
 scene::CarriedThings carriedBy(const std::vector<DepthInput>& all, const std::filesystem::path& cacheFolder,
                                const std::stop_token& stop) {
-    const std::vector<DepthInput> photos = photosToLookAt(all);
+    const std::vector<DepthInput> photos = spreadEvenly(all, kPhotosToLookAt);
     std::string key = text("carried ", kMethod);
     for (const DepthInput& photo : photos) {
         key += text("\n", photo.sha256, " ", keyOf(photo.roomFromPhoto));

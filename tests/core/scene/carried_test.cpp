@@ -193,8 +193,8 @@ TEST(Carried, NothingIsTakenFromPhotosBehindAWall) {
     closet.ceilingM = 2.5;
     const FilledPicture clear =
         withoutCarried(posed[0], std::span(posed).subspan(1), carriedThings(posed), closet);
-    for (int y = 0; y < kCartSize.height;
-         ++y) { // of the floor; a wall of no thickness is seen from behind, too
+    // Of the floor; a wall of no thickness is seen from behind, too.
+    for (int y = 0; y < kCartSize.height; ++y) {
         for (int x = 0; x < kCartSize.width; ++x) {
             const bool isFloor = direction(kCartSize, Eigen::Vector2d(x, y)).z() < -std::cos(15 * kDegree);
             ASSERT_TRUE(!isFloor || *clear.filled.at(x, y) == 0) << x << " " << y;

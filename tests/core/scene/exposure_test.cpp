@@ -64,7 +64,8 @@ TEST(ExposureBySurfaces, IsRightToHalfAPercentAStepAway) {
     }
 }
 
-// Half of what the photo shows is a wall that the other one sees two metres aside.
+// Nearly half of what both photos show is a wall 35 cm away, of which each shows another place in a
+// direction.
 TEST(ExposureByDistances, IsRightToAPercentBesideAWall) {
     practice::PracticeRoomOptions options;
     options.style = practice::RoomStyle::Flat;
@@ -80,8 +81,10 @@ TEST(ExposureByDistances, IsRightToAPercentBesideAWall) {
     std::transform(range.values().begin(), range.values().end(), inverseM.values().begin(),
                    [](float m) { return 1 / m; });
     const Gains near = gainsTo({&picture, pose}, inverseM, {&other, aside});
+    const Gains alongDirections = gainsTo({&picture, pose}, {&other, aside});
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(near[c] * darker[c], 1, 0.01) << c;
+        EXPECT_GT(std::abs(alongDirections[c] * darker[c] - 1), 0.015) << c; // else this tests nothing
     }
 }
 
