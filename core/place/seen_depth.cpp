@@ -20,7 +20,17 @@ constexpr float kHereM = 0.05F;         ///< a point as near to a surface belong
 constexpr float kLikelyBeyondM = 0.15F; ///< farther than this from a depth that is not sure it does not
 constexpr int kLikelyPhotos = 2;        ///< that are not sure and make a point occupied
 constexpr float kOutsideM = 0.15F;      ///< from a wall along the ray, beside two standard deviations
+constexpr int kMirrorPhotos = 3;        ///< that show something outside and make a point a mirror's
+constexpr double kFloorM = 0.05;        ///< from the floor, beside two standard deviations
 constexpr float kPi = std::numbers::pi_v<float>;
+
+/// Whether a photo shows the floor in a point's direction.
+bool isFloor(const SeenDepth& photo, const Eigen::Vector3d& pInRoom, const Sight& sight,
+             std::optional<double> floorM) {
+    const double z = photo.roomFromPhoto().translation.z();
+    const double seenZ = z + (pInRoom.z() - z) * static_cast<double>(sight.rangeM / sight.pointM);
+    return floorM.has_value() && std::abs(seenZ - *floorM) < kFloorM + 2 * photo.sigmaM(sight.rangeM);
+}
 
 } // namespace
 
@@ -101,22 +111,36 @@ Eigen::Vector3d SeenDepth::point(int x, int y, double rangeM) const {
     return m_roomFromPhoto * (m_lenses.place(ray) + rangeM * ray);
 }
 
-Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM) {
+Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM,
+              std::optional<double> mirroredFloorM) {
+    int surelyThrough = 0;
     int through = 0;
     int here = 0;
+    int outside = 0;
     for (const SeenDepth& photo : photos) {
         const Sight sight = photo.sight(pInRoom);
-        const float beyondM = sight.rangeM - sight.pointM;
-        if (sight.isEdge || sight.isOutside()) {
+        if (sight.isEdge) {
             continue;
         }
-        if (sight.isSure && beyondM > marginM + 2 * photo.sigmaM(sight.rangeM)) {
-            return Space::Free;
+        const float sigma = photo.sigmaM(sight.rangeM);
+        const float beyondM = sight.rangeM - sight.pointM;
+        const bool isThrough = beyondM > marginM + 2 * sigma;
+        if (sight.isOutside() || (isThrough && isFloor(photo, pInRoom, sight, mirroredFloorM))) {
+            ++outside;
+        } else if (sight.isSure && isThrough) {
+            ++surelyThrough;
+        } else {
+            through += beyondM > kLikelyBeyondM ? 1 : 0;
+            here += std::abs(beyondM) < kHereM ? 1 : 0;
         }
-        through += beyondM > kLikelyBeyondM ? 1 : 0;
-        here += std::abs(beyondM) < kHereM ? 1 : 0;
     }
-    return through > here ? Space::Free : here >= kLikelyPhotos ? Space::Occupied : Space::Unknown;
+    if (outside >= kMirrorPhotos && surelyThrough <= outside) {
+        return Space::Mirror;
+    }
+    if (surelyThrough > 0 || through > here) {
+        return Space::Free;
+    }
+    return here >= kLikelyPhotos ? Space::Occupied : Space::Unknown;
 }
 
 std::vector<double> baselinesM(std::span<const Rigid3> roomFromPhotos) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace spherewalk::place {
 
@@ -86,20 +87,25 @@ class Solids {
                        [&](float area) { return static_cast<std::uint8_t>(area >= leastM2 ? 1 : 0); });
     }
 
-    /// Things stand on something: below a solid cell, down to the first cell that is free, all is solid.
+    /// Things stand on something: below a solid cell, down to the first cell that is free, all is solid. What
+    /// mirrors does so down to the floor that it mirrors.
     void fillBelow() {
         const auto marginM = static_cast<float>(m_options.cellM);
         parallelFor(m_count.y(), 1, m_options.threads, [&](int y, int) {
             throwIfStopped(m_stop);
             for (int x = 0; x < m_count.x(); ++x) {
                 bool isCovered = false;
+                std::optional<double> mirroredFloorM;
                 for (int z = m_count.z() - 1; z >= 0; --z) {
                     std::uint8_t& isSolid = m_isSolid[indexOf(x, y, z)];
                     if (isSolid != 0) {
                         isCovered = true;
                     } else if (isCovered) {
-                        isCovered = spaceAt(m_photos, middle({x, y, z}), marginM) != Space::Free;
+                        const Space space = spaceAt(m_photos, middle({x, y, z}), marginM, mirroredFloorM);
+                        isCovered = space != Space::Free;
                         isSolid = isCovered ? 1 : 0;
+                        mirroredFloorM =
+                            space == Space::Mirror ? std::optional(m_options.floorM) : mirroredFloorM;
                     }
                 }
             }

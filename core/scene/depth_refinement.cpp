@@ -19,7 +19,8 @@ namespace {
 constexpr float kOnWall = 0.05F; ///< Share of 1 / distance by which what is on a wall may differ from it.
 constexpr double kShareOnWalls = 0.4; ///< Of what is sure towards walls, so much must be on them.
 constexpr double kKeptShare = 0.5;
-constexpr int kFilterRadius = 3;
+constexpr int kFilterRadius = 1;
+constexpr int kTextureRadius = 3;
 constexpr float kFilterSmoothness = 3e-4F;
 constexpr float kNearestM = 0.05F;
 constexpr float kBetter = 0.5F; ///< By how much another distance must fit better to be taken.
@@ -163,8 +164,8 @@ class Refinement {
                 *squares.at(x, y) = value * value;
             }
         }
-        blur(mean, kFilterRadius, threads);
-        blur(squares, kFilterRadius, threads);
+        blur(mean, kTextureRadius, threads);
+        blur(squares, kTextureRadius, threads);
         for (std::size_t i = 0; i < squares.values().size(); ++i) {
             squares.values()[i] -= mean.values()[i] * mean.values()[i];
         }

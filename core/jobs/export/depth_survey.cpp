@@ -29,11 +29,11 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 9; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 10; ///< grows when the same photos and options give another depth
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
-constexpr int kRefinement = 3;              ///< grows when the same agreed depths are refined another way
+constexpr int kRefinement = 4;              ///< grows when the same agreed depths are refined another way
 constexpr int kPhotosAtOnce = 4;            ///< whose depth is estimated; each takes 150 MB
 constexpr double kShareOfStep = 0.25;       ///< an agreement's or a refinement's time, of the sweep's
 constexpr int kSmallWidth = 256;            ///< of the pictures that exposures are told from

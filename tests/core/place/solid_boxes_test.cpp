@@ -2,11 +2,13 @@
 #include "expect_error.h"
 #include "seen_room.h"
 
+#include "spherewalk/geometry/equirect.h"
 #include "spherewalk/place/solid_boxes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace spherewalk::place {
 namespace {
@@ -51,6 +53,32 @@ void addBox(Surface& surface, const Eigen::Vector3d& least, const Eigen::Vector3
 bool isIn(const Boxes& boxes, const Eigen::Vector3d& point) {
     return std::any_of(boxes.begin(), boxes.end(),
                        [&](const Eigen::AlignedBox3d& box) { return box.contains(point); });
+}
+
+/// Photos of a room, in which the front of a cabinet at x = 0.5 m mirrors all that is before it.
+std::vector<SeenDepth> withAMirror(const SeenRoom& room, bool knowTheRoom) {
+    const render::RoomShape& shape = room.shape;
+    render::RoomShape mirrored = shape;
+    mirrored.outline = {{-2, 0}, {3, 0}, {3, 2}, {-2, 2}};
+    const Eigen::AlignedBox3d cabinet(Eigen::Vector3d(0, 0.5, 0), Eigen::Vector3d(0.5, 1.5, 0.6));
+    std::vector<SeenDepth> depths;
+    for (const SeenDepth& photo : room.depths) {
+        const Rigid3& pose = photo.roomFromPhoto();
+        const EquirectSize size{1024, 512};
+        Image<float, 1> inverse(size.width, size.height);
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                const Eigen::Vector3d ray = pose.rotation * direction(size, Eigen::Vector2d(x, y));
+                const double frontM = (0.5 - pose.translation.x()) / ray.x();
+                const bool isFront = frontM > 0 && cabinet.contains(pose.translation + frontM * ray);
+                *inverse.at(x, y) = static_cast<float>(
+                    render::inverseDistance(isFront ? mirrored : shape, pose.translation, ray));
+            }
+        }
+        depths.emplace_back(render::DepthMap(inverse), pose, LensPair{},
+                            std::numeric_limits<double>::infinity(), knowTheRoom ? &shape : nullptr);
+    }
+    return depths;
 }
 
 Surface tableAndBox() {
@@ -103,6 +131,17 @@ TEST(SolidBoxes, LeaveFreeWhatPhotosLookThrough) {
     EXPECT_TRUE(isIn(boxes, {1.4, 1, 0.9})) << "the board itself";
     EXPECT_FALSE(isIn(boxes, {1.4, 1, 0.8}));
     EXPECT_FALSE(isIn(boxes, {1.4, 1, 0.02})) << "nor what is hidden below";
+}
+
+TEST(SolidBoxes, CloseWhatMirrorsTheRoomDownToTheFloor) {
+    const SeenRoom room({0, 0, 0}, {}, 5);
+    Surface top;
+    addSheet(top, {0.1, 0.6, 0.6}, {0.4, 0, 0}, {0, 0.8, 0});
+    EXPECT_FALSE(isIn(solidBoxes(top, withAMirror(room, false), {}), {0.46, 1, 0.3}));
+    const Boxes boxes = solidBoxes(top, withAMirror(room, true), {});
+    EXPECT_TRUE(isIn(boxes, {0.46, 1, 0.5})) << "photos show something behind the wall there";
+    EXPECT_TRUE(isIn(boxes, {0.46, 1, 0.06})) << "photos show the floor there, before the wall";
+    EXPECT_FALSE(isIn(boxes, {0.6, 1, 0.3}));
 }
 
 TEST(ClosingBoxes, StandBehindTheSurfaceAndOnTheFloor) {

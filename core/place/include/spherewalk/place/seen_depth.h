@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -76,13 +77,16 @@ class SeenDepth {
 };
 
 /// What all photos say of a point.
-enum class Space { Unknown, Free, Occupied };
+enum class Space { Unknown, Free, Occupied, Mirror };
 
 /// A point is free if one photo surely shows something farther away, by more than the margin and two standard
 /// deviations. Else those that are not sure are asked: it is free if more look through, by 15 cm, than show
-/// something here, and else occupied if two show something here. What photos show outside of the room is not
-/// asked.
-Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM = 0.05F);
+/// something here, and else occupied if two show something here. It lies at or in a mirror, or at a window,
+/// if three photos or more show something outside of the room in its direction, and no more are sure to look
+/// through to something inside. mirroredFloorM: the height of a floor that, farther away than the point, is
+/// outside, too: the floor's reflection begins at the mirror, and goes on beyond the wall. Frames: room.
+Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM = 0.05F,
+              std::optional<double> mirroredFloorM = {});
 
 /// For each photo the mean distance of the six nearest others that stand at least 5 cm away, in metres: those
 /// that depth is estimated from. It is 0 for a photo without such a neighbour.

@@ -24,9 +24,10 @@ struct BoxOptions {
 /// Boxes that together stand where things are, for collisions. They lie along the room's axes, and do not
 /// overlap. A cell is solid if the surface passes through it. It is solid, too, if it lies below such a cell,
 /// down to the floor or to the first cell that is free (see spaceAt()): things stand on something, and sides
-/// that nobody saw are closed. things: a surface of triangles smaller than cells, see furnitureOf(). photos:
-/// those that saw it. Errors: those of BoxOptions::validate(), and InvalidInput for a surface that would need
-/// more than 2^28 cells. Stop: Stopped. Cost: about a second of one core for ten million cells and photos.
+/// that nobody saw are closed. Below a mirror's cell the floor that photos show is its reflection. things: a
+/// surface of triangles smaller than cells, see furnitureOf(). photos: those that saw it. Errors: those of
+/// BoxOptions::validate(), and InvalidInput for a surface that would need more than 2^28 cells. Stop:
+/// Stopped. Cost: about a second of one core for ten million cells and photos.
 std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
                                             const BoxOptions& options, const std::stop_token& stop = {});
 
