@@ -232,8 +232,16 @@ class Spots {
     MaskImage m_values;
 };
 
+constexpr double kPanelM = 0.3; ///< Half its width and height.
+
+/// Whether a ray meets a panel a metre ahead of the sphere's centre.
+bool meetsPanel(const Eigen::Vector3d& place, const Eigen::Vector3d& ray) {
+    const Eigen::Vector3d at = place + (1 - place.x()) / ray.x() * ray;
+    return ray.x() > 0 && std::abs(at.y()) < kPanelM && std::abs(at.z()) < kPanelM;
+}
+
 /// What is seen from a place inside a sphere with spots. Units: metres from the sphere's centre.
-RgbImage insideOfSphere(double radiusM, const Eigen::Vector3d& place) {
+RgbImage insideOfSphere(double radiusM, const Eigen::Vector3d& place, bool hasPanel = false) {
     static const Spots spots;
     RgbImage picture(2 * kSweepWidth, kSweepWidth);
     for (int y = 0; y < picture.height(); ++y) {
@@ -241,7 +249,10 @@ RgbImage insideOfSphere(double radiusM, const Eigen::Vector3d& place) {
             const Eigen::Vector3d ray = direction({picture.width(), picture.height()}, Eigen::Vector2d(x, y));
             const double along = ray.dot(place);
             const double rangeM = -along + std::sqrt(along * along + radiusM * radiusM - place.squaredNorm());
-            std::fill_n(picture.at(x, y), 3, spots.at(place + rangeM * ray));
+            const Eigen::Vector3d onPanel = place + (1 - place.x()) / ray.x() * ray;
+            std::fill_n(picture.at(x, y), 3,
+                        hasPanel && meetsPanel(place, ray) ? spots.at(onPanel - Eigen::Vector3d(1.5, 0.2, 0))
+                                                           : spots.at(place + rangeM * ray));
         }
     }
     return picture;
@@ -268,6 +279,33 @@ TEST(DepthSweep, FindsThingsAtAnyDistanceThatTheBaselineTells) {
         const double pixelRad = 2 * std::numbers::pi / kSweepWidth;
         EXPECT_GT(rightShare(depth, range, pixelRad / baselineM), 0.95) << radiusM << " " << baselineM;
     }
+}
+
+TEST(DepthSweep, WidensNearThingsByLessThanATenthOfAPixel) {
+    const std::vector<Eigen::Vector3d> places{
+        {0, 0, 0}, {0, 0.2, 0}, {0, -0.2, 0}, {0, 0, 0.2}, {0, 0, -0.2}};
+    std::vector<RgbImage> pictures;
+    for (const Eigen::Vector3d& place : places) {
+        pictures.push_back(insideOfSphere(3, place, true));
+    }
+    std::vector<PosedPicture> others;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        others.push_back({&pictures[i], {Eigen::Quaterniond::Identity(), places[i]}});
+    }
+    const PhotoDepth depth = sweptDepth({pictures.data(), {}}, others, quick());
+    const EquirectSize size{kSweepWidth, kSweepWidth / 2};
+    int panel = 0;
+    int widened = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const bool isOnPanel = meetsPanel({0, 0, 0}, direction(size, Eigen::Vector2d(x, y)));
+            const bool isNear = *depth.inverseM.at(x, y) > 0.6F;
+            panel += isOnPanel ? 1 : 0;
+            widened += isNear && !isOnPanel ? 1 : 0;
+        }
+    }
+    const double aroundPx = 4 * std::sqrt(panel);
+    EXPECT_LT(widened / aroundPx, 0.1);
 }
 
 TEST(DepthSweep, RefusesAPhotoAlone) {
