@@ -13,11 +13,19 @@ constexpr int kSeveral = 4;
 constexpr int kLeastLooking = 2;   ///< Photos that look through where something foreign may stand.
 constexpr int kMostDissenters = 4; ///< Photos that see a surface where a single neighbour shows the same.
 constexpr double kFarthestInverse = 0.02; ///< Per metre: for what is endlessly far.
+constexpr double kBesideLensM = 0.1;      ///< Nearer things are not looked for.
+constexpr int kLeastShowing = 2;          ///< Photos that show the surface of what is beside the lens.
 /// The row of 30 degrees above the horizon. Higher up are ceilings and lamps, which glare, and no persons.
 constexpr int kFirstSearchedRow = kSightRowsOfSphere / 3 - kSightTop;
 
 /// How a photo stands to a place of the room.
-enum class Standing { Through, Surface, Hidden, Unknown };
+enum class Standing {
+    Through,
+    Surface,
+    PerhapsSurface, ///< It lies between two distances, and one is more than twice the other.
+    Hidden,
+    Unknown
+};
 
 Standing standingOf(const Observer& observer, const Eigen::Vector3f& pInRoom) {
     const Eigen::Vector3f pInPhoto = observer.photoFromRoom * (pInRoom - observer.positionM);
@@ -30,8 +38,10 @@ Standing standingOf(const Observer& observer, const Eigen::Vector3f& pInRoom) {
     if (inverse > observer.nearest[at] * (1 + kSlackShare) + kSlackInverse) {
         return Standing::Through;
     }
-    return inverse < observer.farthest[at] * (1 - kSlackShare) - kSlackInverse ? Standing::Hidden
-                                                                               : Standing::Surface;
+    if (inverse < observer.farthest[at] * (1 - kSlackShare) - kSlackInverse) {
+        return Standing::Hidden;
+    }
+    return 2 * observer.farthest[at] < observer.nearest[at] ? Standing::PerhapsSurface : Standing::Surface;
 }
 
 } // namespace
@@ -73,6 +83,7 @@ namespace {
 struct Votes {
     int through = 0;
     int surface = 0;
+    int sureSurface = 0; ///< Of those, at a distance that they know.
     int unknown = 0;
 };
 
@@ -85,13 +96,13 @@ class Sightline {
 
     /// Whether the photo shows something that stands where others look through.
     Foreign foreign() const {
-        if (isExplained()) {
+        if (isExplained() || isBesideLens()) {
             return Foreign::No;
         }
         int looking = 0; // photos that look through one of the places before a surface, at most
         bool metSurface = false;
         for (int level = 0; level < kSightLevels; ++level) {
-            const Votes votes = votesAt(level);
+            const Votes votes = votesAt(inverseOf(level));
             if (votes.through == 0 && votes.surface == 0) {
                 break; // Something may stand there that hides the rest.
             }
@@ -106,14 +117,15 @@ class Sightline {
     }
 
   private:
-    Votes votesAt(int level) const {
-        const auto inverse = static_cast<float>(std::max(inverseOf(level), kFarthestInverse));
-        const Eigen::Vector3f at = m_originM + m_ray / inverse;
+    Votes votesAt(double inverseM) const {
+        const Eigen::Vector3f at =
+            m_originM + m_ray / static_cast<float>(std::max(inverseM, kFarthestInverse));
         Votes votes;
         for (const Observer* other : m_observers) {
             const Standing standing = standingOf(*other, at);
             votes.through += standing == Standing::Through ? 1 : 0;
-            votes.surface += standing == Standing::Surface ? 1 : 0;
+            votes.sureSurface += standing == Standing::Surface ? 1 : 0;
+            votes.surface += standing == Standing::Surface || standing == Standing::PerhapsSurface ? 1 : 0;
             votes.unknown += standing == Standing::Unknown ? 1 : 0;
         }
         return votes;
@@ -126,10 +138,23 @@ class Sightline {
             if ((m_cell.shown & bit) == 0) {
                 continue;
             }
-            const Votes votes = votesAt(level);
+            const Votes votes = votesAt(inverseOf(level));
             const bool isTwice = (m_cell.shownTwice & bit) != 0;
             if (votes.through <= (isTwice ? 2 : 1) && votes.surface + votes.unknown > 0 &&
                 (isTwice || votes.surface <= kMostDissenters || !isShownInTheOpen(level))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Whether other photos show a surface nearer than all distances that pictures are compared at. So near
+    /// to the lens a thing shows it another side than the others, and nothing of it looks the same.
+    bool isBesideLens() const {
+        for (double inverse = inverseOf(0) * (1 + kSlackShare); inverse < 1 / kBesideLensM;
+             inverse *= 1 + kSlackShare) {
+            const Votes votes = votesAt(inverse);
+            if (votes.sureSurface >= kLeastShowing && votes.through == 0) {
                 return true;
             }
         }
@@ -140,7 +165,7 @@ class Sightline {
     /// through. Along the line between two photos nothing moves, and such a match says nothing.
     bool isShownInTheOpen(int level) const {
         for (; level >= 0 && (m_cell.shown & (std::uint64_t{1} << level)) != 0; --level) {
-            if (votesAt(level).through >= kSeveral) {
+            if (votesAt(inverseOf(level)).through >= kSeveral) {
                 return true;
             }
         }

@@ -43,9 +43,17 @@ Observer besideIt() {
     return made;
 }
 
+/// Stands two metres before the photo, looks back, and sees the back of a thing 25 cm ahead of it.
+Observer behindWhatIsBesideIt() {
+    Observer made = unsure();
+    made.positionM = {2.25F, 0, 0};
+    made.nearest.assign(kSightCells, 0.5F);
+    made.farthest.assign(kSightCells, 0.5F);
+    return made;
+}
+
 /// What the photo shows straight ahead, below the lamps.
-Foreign ahead(int sure, const Observer& as) {
-    std::vector<Observer> observers(static_cast<std::size_t>(sure), as);
+Foreign ahead(std::vector<Observer> observers) {
     observers.resize(10, unsure());
     std::vector<const Observer*> all;
     for (const Observer& observer : observers) {
@@ -53,6 +61,10 @@ Foreign ahead(int sure, const Observer& as) {
     }
     const int cell = sightCell({1, 0.01F, -0.01F});
     return foreignCells(kPhoto, kUnlikeAll, all)[static_cast<std::size_t>(cell)];
+}
+
+Foreign ahead(std::size_t count, const Observer& as) {
+    return ahead(std::vector<Observer>(count, as));
 }
 
 } // namespace
@@ -66,6 +78,12 @@ TEST(Sightline, MayEndBeforeWhereTwoPhotosLookThrough) {
     // A plant may stand where no photo can tell, 40 cm from the lens.
     EXPECT_EQ(ahead(2, aheadOfIt()), Foreign::Unwitnessed);
     EXPECT_EQ(ahead(4, aheadOfIt()), Foreign::Yes);
+}
+
+TEST(Sightline, KnowsWhatIsBesideTheLensByOthersThatShowItsOtherSide) {
+    const Observer behind = behindWhatIsBesideIt();
+    EXPECT_EQ(ahead({behind, behind, besideIt()}), Foreign::Yes) << "One looks through it.";
+    EXPECT_EQ(ahead({behind, behind}), Foreign::No);
 }
 
 } // namespace spherewalk::align
