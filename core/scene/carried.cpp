@@ -266,6 +266,22 @@ class RoomSurface {
     std::optional<render::RoomShape> m_shape;
 };
 
+/// 1 / the distance of the room in each direction of a photo; next to nothing where the room is not known.
+Image<float, 1> inverseTo(const RoomSurface& room, const Rigid3& roomFromPhoto) {
+    constexpr EquirectSize kSize{128, 64};
+    constexpr double kFarM = 1000;
+    Image<float, 1> inverse(kSize.width, kSize.height);
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+            const Eigen::Vector3d way = roomFromPhoto.rotation * direction(kSize, Eigen::Vector2d(x, y));
+            const auto place = room.placeOn(roomFromPhoto.translation, way);
+            const double awayM = place ? (*place - roomFromPhoto.translation).norm() : kFarM;
+            *inverse.at(x, y) = static_cast<float>(1 / std::min(awayM, kFarM));
+        }
+    }
+    return inverse;
+}
+
 /// Another photo, as bright as the one that is filled.
 struct Helper {
     const RgbImage* picture;
@@ -274,11 +290,13 @@ struct Helper {
     Gains gains;
 };
 
-std::vector<Helper> helpers(const PosedPicture& photo, std::span<const PosedPicture> others) {
+std::vector<Helper> helpers(const PosedPicture& photo, std::span<const PosedPicture> others,
+                            const RoomSurface& room) {
+    const Image<float, 1> inverseM = inverseTo(room, photo.roomFromPhoto);
     std::vector<Helper> result;
     for (const PosedPicture& other : others) {
         result.push_back({other.picture, other.roomFromPhoto.rotation.conjugate(),
-                          other.roomFromPhoto.translation, gainsTo(photo, other)});
+                          other.roomFromPhoto.translation, gainsTo(photo, inverseM, other)});
     }
     return result;
 }
@@ -365,8 +383,8 @@ FilledPicture withoutCarried(const PosedPicture& photo, std::span<const PosedPic
                              const CarriedThings& things, const survey::Room& room) {
     const EquirectSize size{photo.picture->width(), photo.picture->height()};
     FilledPicture result{*photo.picture, MaskImage(size.width, size.height)};
-    const std::vector<Helper> all = helpers(photo, others);
     const RoomSurface surface(room);
+    const std::vector<Helper> all = helpers(photo, others, surface);
     const double most = *std::max_element(things.reachRad().begin(), things.reachRad().end());
     const int first = std::max(0, static_cast<int>(size.height * (1 - most / kPi)) - 1);
     for (int y = things.empty() ? size.height : first; y < size.height; ++y) {

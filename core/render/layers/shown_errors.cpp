@@ -24,13 +24,13 @@ constexpr double kMatchedPx = 0.02;
 /// Photos that stand closer together than this are not matched.
 constexpr double kLeastBaselineM = 0.05;
 /// The part of the mean disagreement with other photos' depths that a depth is off.
-constexpr double kDisagreementShare = 0.34;
+constexpr double kDisagreementShare = 0.28;
 /// What one photo's disagreement counts at most, in 1/m: it may see something else there.
 constexpr double kMostDisagreement = 0.3;
 /// A depth that no other photo was asked about disagrees by this share.
 constexpr double kUnaskedShare = 0.05;
 /// The part of the spread of 1 / distance close by that a depth is off: slopes and edges are blurred.
-constexpr double kSpreadShare = 0.03;
+constexpr double kSpreadShare = 0.025;
 constexpr double kMostSpread = 0.6;
 /// What a depth that is not sure is off, as a share.
 constexpr double kUnsureShare = 0.15;
