@@ -254,11 +254,16 @@ class RoomSurface {
                render::inverseDistance(*m_shape, from, place - from) * (place - from).norm() < kNearer;
     }
 
-    std::optional<Eigen::Vector3d> placeOn(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
+    /// 1 / the distance in a direction; 0 where the room is not known.
+    double inverseM(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
         static const double kLowest = -std::sin(kLowestWithoutWalls * kPi / 180);
-        const double inverse = m_shape             ? render::inverseDistance(*m_shape, from, way)
-                               : way.z() < kLowest ? -way.z() / from.z()
-                                                   : 0;
+        return m_shape             ? render::inverseDistance(*m_shape, from, way)
+               : way.z() < kLowest ? -way.z() / from.z()
+                                   : 0;
+    }
+
+    std::optional<Eigen::Vector3d> placeOn(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
+        const double inverse = inverseM(from, way);
         return inverse > 0 ? std::optional<Eigen::Vector3d>(from + way / inverse) : std::nullopt;
     }
 
@@ -269,14 +274,13 @@ class RoomSurface {
 /// 1 / the distance of the room in each direction of a photo; next to nothing where the room is not known.
 Image<float, 1> inverseTo(const RoomSurface& room, const Rigid3& roomFromPhoto) {
     constexpr EquirectSize kSize{128, 64};
-    constexpr double kFarM = 1000;
+    constexpr double kLeast = 1e-3;
     Image<float, 1> inverse(kSize.width, kSize.height);
     for (int y = 0; y < kSize.height; ++y) {
         for (int x = 0; x < kSize.width; ++x) {
             const Eigen::Vector3d way = roomFromPhoto.rotation * direction(kSize, Eigen::Vector2d(x, y));
-            const auto place = room.placeOn(roomFromPhoto.translation, way);
-            const double awayM = place ? (*place - roomFromPhoto.translation).norm() : kFarM;
-            *inverse.at(x, y) = static_cast<float>(1 / std::min(awayM, kFarM));
+            *inverse.at(x, y) =
+                static_cast<float>(std::max(kLeast, room.inverseM(roomFromPhoto.translation, way)));
         }
     }
     return inverse;

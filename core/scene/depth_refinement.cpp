@@ -19,9 +19,7 @@ namespace {
 constexpr float kOnWall = 0.05F; ///< Share of 1 / distance by which what is on a wall may differ from it.
 constexpr double kShareOnWalls = 0.4; ///< Of what is sure towards walls, so much must be on them.
 constexpr double kKeptShare = 0.5;
-constexpr int kFilterRadius = 1;
 constexpr int kTextureRadius = 3;
-constexpr float kFilterSmoothness = 3e-4F;
 constexpr float kNearestM = 0.05F;
 constexpr float kBetter = 0.5F; ///< By how much another distance must fit better to be taken.
 constexpr float kTexture = 6; ///< Grey levels; with less the pictures tell no distance. A standard deviation.
@@ -89,9 +87,8 @@ class Refinement {
         : m_threads(threads),
           m_stop(stop),
           m_depth(*photo.depth),
-          m_cost(costFor(photo, neighbours, threads)),
-          m_filter(guide(m_cost.photo()), kFilterRadius, kFilterSmoothness, threads),
-          m_best(std::move(costsOf({&m_depth.inverseM, 1}).front())),
+          m_cost(costFor(photo, neighbours, threads), threads),
+          m_best(std::move(m_cost.all({&m_depth.inverseM, 1}, stop).front())),
           m_texture(textureOf(m_cost.photo(), threads)) {}
 
     PhotoDepth run(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours,
@@ -143,16 +140,6 @@ class Refinement {
         return fits(*room, photo, about) ? about : photo.depth->inverseM;
     }
 
-    static Plane guide(const SweepPicture& photo) {
-        Plane guide(photo.width(), photo.height());
-        for (int y = 0; y < guide.height(); ++y) {
-            for (int x = 0; x < guide.width(); ++x) {
-                *guide.at(x, y) = photo.brightness(x, y) / 255;
-            }
-        }
-        return guide;
-    }
-
     /// The variance of brightness about each pixel, in squared grey levels.
     static Plane textureOf(const SweepPicture& photo, int threads) {
         Plane mean(photo.width(), photo.height());
@@ -172,20 +159,11 @@ class Refinement {
         return squares;
     }
 
-    std::vector<Plane> costsOf(std::span<const Plane> inverse) const {
-        std::vector<Plane> costs(inverse.size(), Plane(m_cost.width(), m_cost.height()));
-        m_cost.all(inverse, m_threads, m_stop, costs);
-        for (Plane& plane : costs) {
-            m_filter.apply(plane);
-        }
-        return costs;
-    }
-
     /// Takes candidates' distances where they fit better and the picture is not bare. Calls taken(i) for each
     /// such pixel.
     template <class Taken>
     void takeBetter(std::span<const Plane> candidates, const Taken& taken) {
-        const std::vector<Plane> costs = costsOf(candidates);
+        const std::vector<Plane> costs = m_cost.all(candidates, m_stop);
         for (std::size_t k = 0; k < candidates.size(); ++k) {
             for (std::size_t i = 0; i < m_best.values().size(); ++i) {
                 if (m_texture.values()[i] > kTexture * kTexture &&
@@ -222,8 +200,7 @@ class Refinement {
     int m_threads;
     const std::stop_token& m_stop;
     PhotoDepth m_depth;
-    SweepCost m_cost;
-    GuidedFilter m_filter;
+    SmoothCost m_cost;
     Plane m_best;    ///< The costs of m_depth.
     Plane m_texture; ///< See textureOf().
 };

@@ -26,10 +26,8 @@ constexpr float kBytesPerCost = 2.5F;
 constexpr int kPixelsAtATime = 64; ///< What a neighbour shows there at all distances stays in a fast cache.
 constexpr float kLeastInverseM = 1e-3F; ///< Nothing is taken to be farther than a kilometre.
 constexpr int kRoughWidth = 128;        ///< At which it is found how bright photos are.
-constexpr int kRounds = 6;       ///< Of that; a wrong gain makes distances wrong that make it look right.
-constexpr int kFilterRadius = 1; ///< Larger ones widen near things.
-constexpr float kFilterSmoothness = 3e-4F;
-constexpr float kLeastRise = 0.5F;       ///< Of the cost from the best distance to the mean about it.
+constexpr int kRounds = 6;         ///< Of that; a wrong gain makes distances wrong that make it look right.
+constexpr float kLeastRise = 0.5F; ///< Of the cost from the best distance to the mean about it.
 constexpr float kLeastRiseShare = 0.15F; ///< The same as a share of the best cost.
 constexpr int kOffsets = 4;              ///< Number of steps tried to either side when a distance is refined.
 
@@ -115,9 +113,6 @@ class Sweep {
           m_distances(baselines(photo, neighbours), options),
           m_evident(options.width, options.width / 2) {
         std::fill(m_evident.values().begin(), m_evident.values().end(), std::uint8_t{255});
-        for (const PosedPicture& other : neighbours) {
-            m_gains.push_back(gainsTo(photo, other));
-        }
     }
 
     PhotoDepth run() {
@@ -137,9 +132,12 @@ class Sweep {
         SweepOptions options = m_options;
         options.coarseWidth = kRoughWidth;
         Sweep rough(m_photo, m_neighbours, options, m_stop);
+        for (const PosedPicture& other : m_neighbours) {
+            rough.m_gains.push_back(gainsTo(m_photo, other));
+        }
         for (int round = 0; round < kRounds; ++round) {
             const Plane inverse = rough.coarse();
-            for (std::size_t i = 0; i < m_gains.size(); ++i) {
+            for (std::size_t i = 0; i < m_neighbours.size(); ++i) {
                 rough.m_gains[i] = gainsTo(m_photo, inverse, m_neighbours[i]);
             }
         }
@@ -202,19 +200,9 @@ class Sweep {
         return median3x3(inverse, m_options.threads);
     }
 
-    GuidedFilter filterFor(const SweepCost& cost) const {
-        Plane guide(cost.width(), cost.height());
-        for (int y = 0; y < guide.height(); ++y) {
-            for (int x = 0; x < guide.width(); ++x) {
-                *guide.at(x, y) = cost.photo().brightness(x, y) / 255;
-            }
-        }
-        return {std::move(guide), kFilterRadius, kFilterSmoothness, m_options.threads};
-    }
-
     /// Chooses at each pixel between the coarse pixel's own distance and the nearest and farthest around it,
     /// whichever fits best. Here edges get their place at the finer size.
-    Plane chosen(const Plane& coarse, const SweepCost& cost, const GuidedFilter& filter) const {
+    Plane chosen(const Plane& coarse, const SmoothCost& cost) const {
         std::array<Plane, 3> candidates;
         candidates.fill(Plane(cost.width(), cost.height()));
         for (int y = 0; y < cost.height(); ++y) {
@@ -225,7 +213,7 @@ class Sweep {
                 *candidates[2].at(x, y) = most;
             }
         }
-        std::vector<Plane> costs = filteredCosts(candidates, cost, filter);
+        std::vector<Plane> costs = cost.all(candidates, m_stop);
         Plane& best = costs[0];
         Plane result = candidates[0];
         for (std::size_t k = 1; k < candidates.size(); ++k) {
@@ -252,23 +240,10 @@ class Sweep {
         return {least, most};
     }
 
-    std::vector<Plane> filteredCosts(std::span<const Plane> inverse, const SweepCost& cost,
-                                     const GuidedFilter& filter) const {
-        std::vector<Plane> costs;
-        std::generate_n(std::back_inserter(costs), inverse.size(),
-                        [&] { return Plane(cost.width(), cost.height()); });
-        cost.all(inverse, m_options.threads, m_stop, costs);
-        for (Plane& plane : costs) {
-            filter.apply(plane);
-        }
-        return costs;
-    }
-
     /// step: from one distance to the next, in steps of the coarse width.
     Plane finer(const Plane& coarse, int width, float step) {
-        const SweepCost cost = costsAt(width);
-        const GuidedFilter filter = filterFor(cost);
-        const Plane base = chosen(coarse, cost, filter);
+        const SmoothCost cost(costsAt(width), m_options.threads);
+        const Plane base = chosen(coarse, cost);
         // The least cost so far, its offset, and the costs of the offsets before and after.
         Plane best(width, width / 2);
         std::fill(best.values().begin(), best.values().end(), HUGE_VALF);
@@ -278,7 +253,7 @@ class Sweep {
         Plane last = best;
         Plane sum(width, width / 2);
         int k = -kOffsets;
-        for (const Plane& costs : filteredCosts(movedBy(base, step), cost, filter)) {
+        for (const Plane& costs : cost.all(movedBy(base, step), m_stop)) {
             for (std::size_t i = 0; i < costs.values().size(); ++i) {
                 const float here = costs.values()[i];
                 sum.values()[i] += here;

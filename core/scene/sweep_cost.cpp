@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <numbers>
+#include <utility>
 
 namespace spherewalk::scene {
 
@@ -384,6 +385,39 @@ void SweepCost::all(std::span<const Image<float, 1>> inverseM, int threads, cons
             }
         }
     });
+}
+
+namespace {
+
+/// What tells the filter where edges are.
+Plane brightnessOf(const SweepPicture& photo) {
+    Plane plane(photo.width(), photo.height());
+    for (int y = 0; y < plane.height(); ++y) {
+        for (int x = 0; x < plane.width(); ++x) {
+            *plane.at(x, y) = photo.brightness(x, y) / 255;
+        }
+    }
+    return plane;
+}
+
+constexpr int kFilterRadius = 1;
+constexpr float kFilterSmoothness = 3e-4F;
+
+} // namespace
+
+SmoothCost::SmoothCost(SweepCost cost, int threads)
+    : m_cost(std::move(cost)),
+      m_filter(brightnessOf(m_cost.photo()), kFilterRadius, kFilterSmoothness, threads),
+      m_threads(threads) {
+}
+
+std::vector<Plane> SmoothCost::all(std::span<const Plane> inverseM, const std::stop_token& stop) const {
+    std::vector<Plane> costs(inverseM.size(), Plane(width(), height()));
+    m_cost.all(inverseM, m_threads, stop, costs);
+    for (Plane& plane : costs) {
+        m_filter.apply(plane);
+    }
+    return costs;
 }
 
 } // namespace spherewalk::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "plane_filters.h"
 #include "vector_math.h"
 
 #include "spherewalk/base/image.h"
@@ -171,6 +172,27 @@ struct CostVolume {
     int height;
     int distances;
     std::vector<Value> values;
+};
+
+/// The same costs, each smoothed over the 3 x 3 pixels about it, though not across edges of the photo. Wider
+/// windows would widen near things. Threads: const, any number.
+class SmoothCost {
+  public:
+    SmoothCost(SweepCost cost, int threads);
+
+    int width() const { return m_cost.width(); }
+
+    int height() const { return m_cost.height(); }
+
+    const SweepPicture& photo() const { return m_cost.photo(); }
+
+    /// A plane of costs for each of inverse distances. Errors: Stopped.
+    std::vector<Plane> all(std::span<const Plane> inverseM, const std::stop_token& stop) const;
+
+  private:
+    SweepCost m_cost;
+    GuidedFilter m_filter;
+    int m_threads;
 };
 
 /// The cost of a change of distance from one pixel to the next.

@@ -211,11 +211,11 @@ class DepthJob {
     }
 
     /// Works on several photos at a time, as threads that share one photo often wait for each other.
-    void estimate(const std::set<Step>& missing, const DepthReport& report, double all) {
-        const std::vector<Step> steps = inOrder(missing);
+    void estimate(const std::set<Step>& left, const DepthReport& report, double all) {
+        const std::vector<Step> steps = inOrder(left);
         const int threads = m_options.sweep.threads > 0 ? m_options.sweep.threads : hardwareThreads();
         const int atOnce = std::clamp(static_cast<int>(steps.size()), 1, std::min(threads, kPhotosAtOnce));
-        double done = all - timeOf(this->missing(wanted(), lastKind()));
+        double done = all - timeOf(missing(wanted(), lastKind()));
         std::size_t ready = report.reused;
         std::mutex telling;
         parallelTasks(needsOf(steps), atOnce, [&](int i) {
