@@ -143,6 +143,14 @@ Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom,
     return here >= kLikelyPhotos ? Space::Occupied : Space::Unknown;
 }
 
+bool isSeenThrough(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom) {
+    return std::any_of(photos.begin(), photos.end(), [&](const SeenDepth& photo) {
+        const Sight sight = photo.sight(pInRoom);
+        return sight.isSure && !sight.isOutside() &&
+               sight.rangeM - sight.pointM > 2 * photo.sigmaM(sight.rangeM);
+    });
+}
+
 std::vector<double> baselinesM(std::span<const Rigid3> roomFromPhotos) {
     std::vector<double> result;
     for (const Rigid3& photo : roomFromPhotos) {

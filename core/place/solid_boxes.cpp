@@ -17,6 +17,11 @@ namespace {
 constexpr double kMostSolidCells = 1 << 28;
 constexpr float kLeastSurface = 0.25F; ///< of a cell's face; less surface in a cell is its neighbour's
 
+// What a cell is.
+constexpr std::uint8_t kFree = 0;
+constexpr std::uint8_t kSolid = 1;
+constexpr std::uint8_t kMirror = 2; ///< It is solid, and photos show something else in it.
+
 class Solids {
   public:
     Solids(const Surface& things, std::span<const SeenDepth> photos, const BoxOptions& options,
@@ -34,8 +39,17 @@ class Solids {
     std::vector<Eigen::AlignedBox3d> inset() {
         spreadSurface();
         fillBelow();
+        dropSeenThrough();
+        const std::vector<std::uint8_t> whole = m_cells;
         shrink();
-        return boxes();
+        const std::vector<std::uint8_t> inner = m_cells;
+        std::vector<Eigen::AlignedBox3d> found =
+            boxes(Eigen::Vector3d(m_options.cellM / 2, m_options.cellM / 2, 0));
+        m_cells = whole;
+        keepThin(inner);
+        const std::vector<Eigen::AlignedBox3d> thin = boxes();
+        found.insert(found.end(), thin.begin(), thin.end());
+        return found;
     }
 
   private:
@@ -54,9 +68,9 @@ class Solids {
                                                       count.prod(), " cells. Take larger ones."));
         }
         m_count = count.cwiseMax(1).cast<int>();
-        m_isSolid.assign(static_cast<std::size_t>(m_count.x()) * static_cast<std::size_t>(m_count.y()) *
-                             static_cast<std::size_t>(m_count.z()),
-                         0);
+        m_cells.assign(static_cast<std::size_t>(m_count.x()) * static_cast<std::size_t>(m_count.y()) *
+                           static_cast<std::size_t>(m_count.z()),
+                       kFree);
     }
 
     std::size_t indexOf(int x, int y, int z) const {
@@ -72,7 +86,7 @@ class Solids {
 
     /// A cell is solid that lies behind the surface by half its length, so that its face is near the surface.
     void spreadSurface() {
-        std::vector<float> areaM2(m_isSolid.size(), 0.0F);
+        std::vector<float> areaM2(m_cells.size(), 0.0F);
         for (const auto& triangle : m_things.triangles) {
             const Eigen::Vector3d area = m_things.areaVector(triangle);
             const Eigen::Vector3d behind =
@@ -83,8 +97,8 @@ class Solids {
             }
         }
         const auto leastM2 = kLeastSurface * static_cast<float>(m_options.cellM * m_options.cellM);
-        std::transform(areaM2.begin(), areaM2.end(), m_isSolid.begin(),
-                       [&](float area) { return static_cast<std::uint8_t>(area >= leastM2 ? 1 : 0); });
+        std::transform(areaM2.begin(), areaM2.end(), m_cells.begin(),
+                       [&](float area) { return area >= leastM2 ? kSolid : kFree; });
     }
 
     /// Things stand on something: below a solid cell, down to the first cell that is free, all is solid. What
@@ -97,15 +111,34 @@ class Solids {
                 bool isCovered = false;
                 std::optional<double> mirroredFloorM;
                 for (int z = m_count.z() - 1; z >= 0; --z) {
-                    std::uint8_t& isSolid = m_isSolid[indexOf(x, y, z)];
-                    if (isSolid != 0) {
+                    std::uint8_t& cell = m_cells[indexOf(x, y, z)];
+                    if (cell != kFree) {
                         isCovered = true;
                     } else if (isCovered) {
                         const Space space = spaceAt(m_photos, middle({x, y, z}), marginM, mirroredFloorM);
                         isCovered = space != Space::Free;
-                        isSolid = isCovered ? 1 : 0;
                         mirroredFloorM =
                             space == Space::Mirror ? std::optional(m_options.floorM) : mirroredFloorM;
+                        cell = !isCovered ? kFree : mirroredFloorM.has_value() ? kMirror : kSolid;
+                    }
+                }
+            }
+        });
+    }
+
+    /// Photos look through no cell, neither at its middle nor beside it.
+    void dropSeenThrough() {
+        constexpr double kAside = 0.3; // of a cell's edge, from the middle
+        parallelFor(m_count.z(), 1, m_options.threads, [&](int z, int) {
+            throwIfStopped(m_stop);
+            for (int y = 0; y < m_count.y(); ++y) {
+                for (int x = 0; x < m_count.x(); ++x) {
+                    std::uint8_t& cell = m_cells[indexOf(x, y, z)];
+                    for (int i = 0; i < 4 && cell == kSolid; ++i) {
+                        const Eigen::Vector3d aside(i % 2 == 0 ? -kAside : kAside, i < 2 ? -kAside : kAside,
+                                                    0);
+                        cell = isSeenThrough(m_photos, middle({x, y, z}) + m_options.cellM * aside) ? kFree
+                                                                                                    : kSolid;
                     }
                 }
             }
@@ -119,31 +152,48 @@ class Solids {
             for (int y = 0; y < m_count.y(); ++y) {
                 for (int x = 0; x < m_count.x(); ++x) {
                     // Cells that come later are as they were.
-                    m_isSolid[indexOf(x, y, z)] = x + 1 < m_count.x() && y + 1 < m_count.y() &&
-                                                          m_isSolid[indexOf(x, y, z)] != 0 &&
-                                                          m_isSolid[indexOf(x + 1, y, z)] != 0 &&
-                                                          m_isSolid[indexOf(x, y + 1, z)] != 0 &&
-                                                          m_isSolid[indexOf(x + 1, y + 1, z)] != 0
-                                                      ? 1
-                                                      : 0;
+                    m_cells[indexOf(x, y, z)] = x + 1 < m_count.x() && y + 1 < m_count.y() &&
+                                                        m_cells[indexOf(x, y, z)] != kFree &&
+                                                        m_cells[indexOf(x + 1, y, z)] != kFree &&
+                                                        m_cells[indexOf(x, y + 1, z)] != kFree &&
+                                                        m_cells[indexOf(x + 1, y + 1, z)] != kFree
+                                                    ? kSolid
+                                                    : kFree;
                 }
             }
         }
-        m_origin.head<2>().array() += m_options.cellM / 2;
+    }
+
+    /// Cells that lie in the shrunk ones, by a quarter or more, are taken away.
+    void keepThin(const std::vector<std::uint8_t>& shrunk) {
+        for (int z = 0; z < m_count.z(); ++z) {
+            for (int y = 0; y < m_count.y(); ++y) {
+                for (int x = 0; x < m_count.x(); ++x) {
+                    const int left = std::max(x - 1, 0);
+                    const int front = std::max(y - 1, 0);
+                    if (shrunk[indexOf(x, y, z)] != kFree || shrunk[indexOf(left, y, z)] != kFree ||
+                        shrunk[indexOf(x, front, z)] != kFree || shrunk[indexOf(left, front, z)] != kFree) {
+                        m_cells[indexOf(x, y, z)] = kFree;
+                    }
+                }
+            }
+        }
     }
 
     /// Each box grows along x, then y, then z, as long as all its cells are solid, and takes them away.
-    std::vector<Eigen::AlignedBox3d> boxes() {
+    /// asideM: of the cells from where they are.
+    std::vector<Eigen::AlignedBox3d> boxes(const Eigen::Vector3d& asideM = Eigen::Vector3d::Zero()) {
+        const Eigen::Vector3d origin = m_origin + asideM;
         std::vector<Eigen::AlignedBox3d> found;
         for (int z = 0; z < m_count.z(); ++z) {
             throwIfStopped(m_stop);
             for (int y = 0; y < m_count.y(); ++y) {
                 for (int x = 0; x < m_count.x(); ++x) {
-                    if (m_isSolid[indexOf(x, y, z)] != 0) {
+                    if (m_cells[indexOf(x, y, z)] != kFree) {
                         const Eigen::Vector3i first(x, y, z);
                         const Eigen::Vector3i end = endOf(first);
-                        found.emplace_back(m_origin + m_options.cellM * first.cast<double>(),
-                                           m_origin + m_options.cellM * end.cast<double>());
+                        found.emplace_back(origin + m_options.cellM * first.cast<double>(),
+                                           origin + m_options.cellM * end.cast<double>());
                     }
                 }
             }
@@ -160,8 +210,8 @@ class Solids {
         }
         for (int z = first.z(); z < end.z(); ++z) {
             for (int y = first.y(); y < end.y(); ++y) {
-                const auto begin = m_isSolid.begin() + static_cast<std::ptrdiff_t>(indexOf(first.x(), y, z));
-                std::fill(begin, begin + (end.x() - first.x()), std::uint8_t{0});
+                const auto begin = m_cells.begin() + static_cast<std::ptrdiff_t>(indexOf(first.x(), y, z));
+                std::fill(begin, begin + (end.x() - first.x()), kFree);
             }
         }
         return end;
@@ -174,7 +224,7 @@ class Solids {
         for (int z = first.z(); z < end.z(); ++z) {
             for (int y = first.y(); y < end.y(); ++y) {
                 for (int x = first.x(); x < end.x(); ++x) {
-                    if (m_isSolid[indexOf(x, y, z)] == 0) {
+                    if (m_cells[indexOf(x, y, z)] == kFree) {
                         return false;
                     }
                 }
@@ -189,7 +239,7 @@ class Solids {
     std::stop_token m_stop;
     Eigen::Vector3d m_origin = Eigen::Vector3d::Zero(); ///< Of the first cell, its least corner.
     Eigen::Vector3i m_count = Eigen::Vector3i::Zero();
-    std::vector<std::uint8_t> m_isSolid;
+    std::vector<std::uint8_t> m_cells;
 };
 
 } // namespace

@@ -157,9 +157,29 @@ TEST(ClosingBoxes, StandBehindTheSurfaceAndOnTheFloor) {
         EXPECT_EQ(around.min().z(), 0);
         EXPECT_GT(around.volume(), 0.8 * 0.8 * 0.4 * 0.6);
     }
-    Surface post; // of one cell
-    addBox(post, {1, 1, 0}, {0.04, 0.04, 0.6});
-    EXPECT_TRUE(closingBoxes(post, {}, {0.04, 0}).empty());
+}
+
+TEST(ClosingBoxes, KeepThinThingsWhole) {
+    for (const double edgeM : {0.04, 0.08}) {
+        Surface post;
+        addBox(post, {1, 1, 0}, {edgeM, 0.04, 0.6});
+        const Boxes boxes = closingBoxes(post, {}, {0.04, 0});
+        ASSERT_EQ(boxes.size(), 1U);
+        EXPECT_LT((boxes[0].min() - Eigen::Vector3d(1, 1, 0)).norm(), 1e-6);
+        EXPECT_LT((boxes[0].sizes() - Eigen::Vector3d(edgeM, 0.04, 0.6)).norm(), 1e-6);
+    }
+}
+
+TEST(ClosingBoxes, LeaveOutWhatPhotosLookThrough) {
+    const SeenRoom empty;
+    Surface post;
+    addBox(post, {1.4, 0.9, 0}, {0.04, 0.04, 1});
+    EXPECT_TRUE(isIn(closingBoxes(post, {}, {0.02, 0}), {1.42, 0.92, 0.5}));
+    EXPECT_TRUE(closingBoxes(post, empty.depths, {0.02, 0}).empty());
+    const SeenRoom room({0, 0, 0}, {}, 5);
+    Surface top;
+    addSheet(top, {0.1, 0.6, 0.6}, {0.4, 0, 0}, {0, 0.8, 0});
+    EXPECT_TRUE(isIn(closingBoxes(top, withAMirror(room, true), {}), {0.46, 1, 0.3})) << "but not mirrors";
 }
 
 TEST(SolidBoxes, CloseASurfaceFromOutside) {

@@ -88,6 +88,10 @@ enum class Space { Unknown, Free, Occupied, Mirror };
 Space spaceAt(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom, float marginM = 0.05F,
               std::optional<double> mirroredFloorM = {});
 
+/// Whether one photo surely shows something farther away than a point, by more than two standard deviations.
+/// Unlike for spaceAt(), borders of things count, as the nearest pixel shows them. Frames: room.
+bool isSeenThrough(std::span<const SeenDepth> photos, const Eigen::Vector3d& pInRoom);
+
 /// For each photo the mean distance of the six nearest others that stand at least 5 cm away, in metres: those
 /// that depth is estimated from. It is 0 for a photo without such a neighbour.
 std::vector<double> baselinesM(std::span<const Rigid3> roomFromPhotos);

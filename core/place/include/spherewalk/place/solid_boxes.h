@@ -31,9 +31,10 @@ struct BoxOptions {
 std::vector<Eigen::AlignedBox3d> solidBoxes(const Surface& things, std::span<const SeenDepth> photos,
                                             const BoxOptions& options, const std::stop_token& stop = {});
 
-/// Boxes that close a surface from behind, where nobody saw it: as solidBoxes(), but along x and y they end
-/// half a cell inside of things, so that what was seen stands in front of them. Errors, Stop: as for
-/// solidBoxes().
+/// Boxes that close a surface from behind, where nobody saw it: as solidBoxes(), but none of their cells is
+/// seen through at any of four points (see isSeenThrough()), and along x and y they end half a cell inside of
+/// things, so that what was seen stands in front of them. What is thinner than two cells, as a leg, keeps
+/// whole cells. Errors, Stop: as for solidBoxes().
 std::vector<Eigen::AlignedBox3d> closingBoxes(const Surface& things, std::span<const SeenDepth> photos,
                                               const BoxOptions& options, const std::stop_token& stop = {});
 
