@@ -4,6 +4,7 @@
 #include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/colour_correction.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -24,6 +25,9 @@ constexpr double kMostLog = 2.5;          ///< The logarithm of the greatest gai
 constexpr double kPatches = 40;           ///< About so many of the directions tell something of their own.
 constexpr double kPatchesOfPlaces = 1000; ///< The same of places whose distance is known.
 constexpr double kSigmas = 3;
+constexpr int kBright = 120; ///< Few cameras compress darker values.
+constexpr std::size_t kFewestOfBin = 30;
+constexpr double kMostError = 30; ///< What is farther off is not the same thing.
 
 bool isWithin(int value) {
     return value > kDarkest && value < kBrightest;
@@ -81,6 +85,74 @@ void addLogs(const std::uint8_t* a, const std::uint8_t* b, std::array<std::vecto
     }
 }
 
+/// What two photos show of the same places.
+class SharedValues {
+  public:
+    void add(const std::uint8_t* a, const std::uint8_t* b) {
+        addLogs(a, b, m_logs);
+        for (std::size_t c = 0; c < 3; ++c) {
+            // By both, so that noise makes neither photo brighter.
+            if (isWithin(a[c]) && isWithin(b[c]) && a[c] * b[c] < kBright * kBright) {
+                m_logsOfDarker[c].push_back(m_logs[c].back());
+            }
+            m_values[c][b[c] * SharedLight::kBins / 256].push_back(a[c]);
+        }
+    }
+
+    std::optional<SharedLight> light() {
+        SharedLight light;
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::vector<double>& logs = m_logsOfDarker[c].size() < kFewest ? m_logs[c] : m_logsOfDarker[c];
+            if (logs.size() < kFewest) {
+                return std::nullopt;
+            }
+            light.gains[c] =
+                static_cast<float>(std::exp(std::clamp(quantileInPlace(logs, 0.5), -kMostLog, kMostLog)));
+            for (std::size_t bin = 0; bin < SharedLight::kBins; ++bin) {
+                std::vector<float>& values = m_values[c][bin];
+                light.values[c][bin] = values.size() < kFewestOfBin ? -1 : quantileInPlace(values, 0.5);
+            }
+        }
+        return light;
+    }
+
+  private:
+    std::array<std::vector<double>, 3> m_logs;
+    std::array<std::vector<double>, 3> m_logsOfDarker;
+    std::array<std::array<std::vector<float>, SharedLight::kBins>, 3> m_values;
+};
+
+/// How far values are apart that are made equally bright, and of how many that is.
+struct KneeError {
+    double sum = 0;
+    int values = 0;
+
+    void add(const SharedLight& light, std::size_t channel, double gain, double knee) {
+        for (std::size_t bin = 0; bin < SharedLight::kBins; ++bin) {
+            const auto shown = static_cast<double>(light.values[channel][bin]);
+            const double value = 256.0 / SharedLight::kBins * (static_cast<double>(bin) + 0.5);
+            if (shown >= 0 && std::max(value, shown) > kBright) {
+                sum += std::min(std::abs(render::exposedValue(value, gain, knee) - shown), kMostError);
+                ++values;
+            }
+        }
+    }
+};
+
+KneeError errorOf(double knee, std::span<const Gains> gains, std::span<const ExposureRatio> ratios) {
+    constexpr double kDifferent = 1.1;
+    KneeError error;
+    for (const ExposureRatio& ratio : ratios) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double gain = static_cast<double>(gains[ratio.other][c] / gains[ratio.photo][c]);
+            if (gain > kDifferent || gain < 1 / kDifferent) {
+                error.add(ratio.light, c, gain, knee);
+            }
+        }
+    }
+    return error;
+}
+
 } // namespace
 
 Gains gainsTo(const PosedPicture& photo, const PosedPicture& other) {
@@ -114,11 +186,11 @@ Gains gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const 
             gainFrom(logs[2], kPatchesOfPlaces)};
 }
 
-std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& other) {
+std::optional<SharedLight> sharedLight(const KnownPhoto& photo, const KnownPhoto& other) {
     constexpr int kPlaces = 128; // in a row
     constexpr double kAlike = 0.04;
     const Rigid3 otherFromPhoto = other.photo.roomFromPhoto.inverse() * photo.photo.roomFromPhoto;
-    std::array<std::vector<double>, 3> logs;
+    SharedValues shared;
     overSphere(kPlaces, [&](int, int, const Eigen::Vector3d& way) {
         const double inverse = sureInverse(*photo.depth, way);
         const Eigen::Vector3d inOther =
@@ -129,18 +201,10 @@ std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& 
         // The other photo looks at the same place, and not at something before it.
         const double expected = inverse / seen.norm();
         if (inverse > 0 && its > 0 && std::abs(its - expected) < kAlike * std::max(its, expected)) {
-            addLogs(nearest(*photo.photo.picture, way), nearest(*other.photo.picture, seen), logs);
+            shared.add(nearest(*photo.photo.picture, way), nearest(*other.photo.picture, seen));
         }
     });
-    Gains gains{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (logs[c].size() < kFewest) {
-            return std::nullopt;
-        }
-        gains[c] =
-            static_cast<float>(std::exp(std::clamp(quantileInPlace(logs[c], 0.5), -kMostLog, kMostLog)));
-    }
-    return gains;
+    return shared.light();
 }
 
 std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio> ratios) {
@@ -158,7 +222,7 @@ std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio
         entries.emplace_back(a, b, -1);
         entries.emplace_back(b, a, -1);
         for (std::size_t c = 0; c < 3; ++c) {
-            const double log = std::log(ratio.gains[c]); // gain of b less gain of a
+            const double log = std::log(ratio.light.gains[c]); // gain of b less gain of a
             right(a, static_cast<Eigen::Index>(c)) -= log;
             right(b, static_cast<Eigen::Index>(c)) += log;
         }
@@ -175,6 +239,25 @@ std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio
         }
     }
     return gains;
+}
+
+double highlightKnee(std::span<const Gains> gains, std::span<const ExposureRatio> ratios) {
+    constexpr double kWhite = 255;
+    constexpr double kLeast = 80;
+    constexpr double kStep = 5;
+    constexpr int kFewestValues = 30;
+    constexpr double kBetter = 0.9;
+    const KneeError straight = errorOf(kWhite, gains, ratios);
+    double knee = kWhite;
+    double least = kBetter * straight.sum;
+    for (double tried = kWhite - kStep; tried >= kLeast && straight.values >= kFewestValues; tried -= kStep) {
+        const double error = errorOf(tried, gains, ratios).sum;
+        if (error < least) {
+            least = error;
+            knee = tried;
+        }
+    }
+    return knee;
 }
 
 } // namespace spherewalk::scene

@@ -86,9 +86,7 @@ class DepthJob {
         }
         result.report.photos = photos.size();
         estimateMissing(result);
-        if (!m_options.onlyForScene) {
-            result.gains = exposures(photos);
-        }
+        compareExposures(m_options.onlyForScene ? std::vector<std::size_t>() : photos, result);
         result.report.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
@@ -385,7 +383,7 @@ class DepthJob {
     }
 
     /// How bright photos are, compared with their neighbours.
-    std::vector<scene::Gains> exposures(const std::vector<std::size_t>& photos) {
+    void compareExposures(const std::vector<std::size_t>& photos, SurveyDepth& result) {
         std::vector<scene::ExposureRatio> ratios;
         for (const std::size_t photo : photos) {
             throwIfStopped(m_stop);
@@ -394,14 +392,15 @@ class DepthJob {
             for (const std::size_t other : m_agreeing[photo]) {
                 const auto its = small(other);
                 const auto itsDepth = found({Kind::Agree, other});
-                const auto gains = scene::gainsBySurfaces({posed(photo, *own), depth.get()},
-                                                          {posed(other, *its), itsDepth.get()});
-                if (gains) {
-                    ratios.push_back({photo, other, *gains});
+                const auto light = scene::sharedLight({posed(photo, *own), depth.get()},
+                                                      {posed(other, *its), itsDepth.get()});
+                if (light) {
+                    ratios.push_back({photo, other, *light});
                 }
             }
         }
-        return scene::commonGains(m_photos.size(), ratios);
+        result.gains = scene::commonGains(m_photos.size(), ratios);
+        result.highlightKnee = scene::highlightKnee(result.gains, ratios);
     }
 
     void estimateScene(SurveyDepth& result) const {

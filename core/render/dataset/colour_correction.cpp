@@ -35,6 +35,23 @@ double storedValue(double linear) {
     return linear <= kToe / kToeSlope ? linear * kToeSlope : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
+double exposedValue(double value, double gain, double knee) {
+    constexpr double kWhite = 255;
+    const double least = std::min(1.0, gain) * knee; // from here on values are compressed, or were
+    if ((gain >= 1 ? gain * value : value) <= knee || knee >= kWhite) {
+        return std::min(kWhite, gain * value);
+    }
+    // Between the knee and white, the brighter exposure's values are compressed from (knee, most).
+    const double most = kWhite * std::max(gain, 1 / gain);
+    const double power = (most - knee) / (kWhite - knee);
+    if (gain >= 1) {
+        const double share = (gain * value - knee) / (most - knee);
+        return kWhite - (kWhite - knee) * std::pow(std::max(0.0, 1 - share), power);
+    }
+    const double share = 1 - std::pow(std::max(0.0, kWhite - value) / (kWhite - knee), 1 / power);
+    return least + share * (kWhite - least);
+}
+
 void ColourCorrection::validate() const {
     if (!(matrix.array().abs() <= kMostMatrix).all()) { // NaN too
         throw Error(ErrorKind::InvalidInput,

@@ -57,6 +57,11 @@ double boundedNumber(const JsonReader& reader, double least, double most) {
     return value;
 }
 
+/// A member that may be absent.
+double numberOr(double fallback, const JsonReader& reader, std::string_view key, double least, double most) {
+    return reader.isAbsent(key) ? fallback : boundedNumber(reader.member(key), least, most);
+}
+
 Vector3d vectorOf(const JsonReader& list, double least, double most) {
     if (list.arraySize() != 3) {
         list.fail("expected three numbers");
@@ -149,8 +154,8 @@ DatasetPhoto photoOf(const JsonReader& reader) {
         reader.fail("the member \"file\" is missing");
     }
     photo.sha256 = reader.string("sha256");
-    if (photo.sha256.size() != 64 ||
-        photo.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    if (photo.sha256.size() != 64 || photo.sha256.find_first_not_of(kDigits) != std::string::npos) {
         reader.member("sha256").fail("expected 64 lower-case hexadecimal digits");
     }
     photo.sizeBytes = static_cast<std::uint64_t>(reader.integer("size_bytes", 1, 1LL << 32));
@@ -173,9 +178,7 @@ DatasetPhoto photoOf(const JsonReader& reader) {
     if (!reader.isAbsent("rotation_sigma_deg")) {
         photo.rotationSigma = rotationSigmaOf(reader.member("rotation_sigma_deg"));
     }
-    if (!reader.isAbsent("lens_ahead_m")) {
-        photo.lenses.aheadM = boundedNumber(reader.member("lens_ahead_m"), -kFarthestLensM, kFarthestLensM);
-    }
+    photo.lenses.aheadM = numberOr(0, reader, "lens_ahead_m", -kFarthestLensM, kFarthestLensM);
     if (!reader.isAbsent("exposure_gain")) {
         photo.exposureGain = vectorOf(reader.member("exposure_gain"), 1 / kGreatestGain, kGreatestGain);
     }
@@ -308,8 +311,8 @@ void readSceneModels(const JsonReader& models, DatasetInfo& info) {
             continue;
         }
         if (!model.isAbsent("measured_error_px")) {
-            info.measuredErrorPx[sceneKind(model, "kind")] =
-                boundedNumber(model.member("measured_error_px"), 0, kMostErrorPx);
+            const double errorPx = boundedNumber(model.member("measured_error_px"), 0, kMostErrorPx);
+            info.measuredErrorPx[sceneKind(model, "kind")] = errorPx;
         }
         if (kind == "sphere") {
             info.sphereRadiusM = boundedNumber(model.member("radius_m"), 1e-3, kFarthestM);
@@ -320,16 +323,13 @@ void readSceneModels(const JsonReader& models, DatasetInfo& info) {
 }
 
 Json measuredErrorPx(const DatasetInfo& info, SceneKind kind) {
-    const auto found = info.measuredErrorPx.find(kind);
-    return found == info.measuredErrorPx.end() ? Json() : Json(found->second);
+    return info.measuredErrorPx.contains(kind) ? Json(info.measuredErrorPx.at(kind)) : Json();
 }
 
 /// Scene models that the dataset does not have cannot have been chosen.
 void checkChoice(const DatasetInfo& info, const JsonReader& root) {
     const std::vector<SceneKind> there = scenesOf(info);
-    const auto isThere = [&](SceneKind kind) {
-        return std::find(there.begin(), there.end(), kind) != there.end();
-    };
+    const auto isThere = [&](SceneKind kind) { return std::ranges::find(there, kind) != there.end(); };
     if (info.choice && !isThere(info.choice->scene)) {
         root.member("choice").fail("the dataset does not have the scene model that was chosen");
     }
@@ -352,11 +352,8 @@ void putMeasured(Json& description, const ViewChoice& choice, const std::map<Sce
     }
     description["choice"] = toJson(choice);
     for (std::size_t i = 0; i < photos; ++i) {
-        Json& scene = description["photos"][i]["scene"];
-        scene = Json();
-        if (!photoScenes.empty() && photoScenes[i]) {
-            scene = name(*photoScenes[i]);
-        }
+        const bool isKnown = !photoScenes.empty() && photoScenes[i];
+        description["photos"][i]["scene"] = isKnown ? Json(name(*photoScenes[i])) : Json();
     }
     for (std::size_t i = 0; i < models; ++i) {
         Json& model = description["scene_models"][i];
@@ -405,6 +402,7 @@ Json toJson(const DatasetInfo& info) {
         {"room",
          {{"outline_m", listOf(info.outline)}, {"obstacles_m", obstacles}, {"ceiling_m", info.ceilingM}}},
         {"grid", {{"step_m", info.stepM}}},
+        {"highlight_knee", info.highlightKnee},
         {"scene_models", models},
         {"choice", info.choice ? toJson(*info.choice) : Json()},
         {"colour_correction", info.colour ? toJson(*info.colour) : Json()},
@@ -423,6 +421,7 @@ DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
     info.madeBy = root.string("made_by");
     info.surveyId = root.string("survey_id");
     readRoom(root.member("room"), info);
+    info.highlightKnee = numberOr(255, root, "highlight_knee", 0, 255);
     info.stepM = boundedNumber(root.member("grid").member("step_m"), 0, kFarthestM);
     readSceneModels(root.member("scene_models"), info);
     if (!root.isAbsent("choice")) {

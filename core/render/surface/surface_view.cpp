@@ -4,6 +4,8 @@
 #include "pixels/sampler.h"
 #include "surface/cells.h"
 
+#include "spherewalk/render/colour_correction.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,7 +77,8 @@ SurfaceView::Drawn::Drawn(const SurfacePhoto& photo) : mesh(photo.mesh), size(ph
     }
     for (int channel = 0; channel < 3; ++channel) {
         for (int level = 0; level < 256; ++level) {
-            levels.push_back(static_cast<std::uint8_t>(std::min(255.0, photo.gain[channel] * level + 0.5)));
+            const double value = exposedValue(level, photo.gain[channel], photo.highlightKnee);
+            levels.push_back(static_cast<std::uint8_t>(value + 0.5));
         }
     }
 }

@@ -28,9 +28,10 @@ struct SurfacePhoto {
     std::shared_ptr<const SurfaceMesh> mesh;
     Rigid3 roomFromPhoto;
     TileGrid grid; ///< The grid of the level that is sampled.
-    /// What its red, green and blue are multiplied by to be as bright as the view's first photo.
+    /// The gains with which its red, green and blue are as bright as the view's first photo.
     Eigen::Vector3d gain = Eigen::Vector3d::Ones();
     LensPair lenses = {};
+    double highlightKnee = 255; ///< See exposedValue().
 };
 
 /// The surfaces of a dataset's photos, for the scene models that have some. The last ones used are kept.

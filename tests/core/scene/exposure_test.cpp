@@ -2,6 +2,7 @@
 #include "sweep_cost.h"
 
 #include "spherewalk/practice/practice_room.h"
+#include "spherewalk/render/colour_correction.h"
 
 #include <gtest/gtest.h>
 
@@ -57,10 +58,10 @@ TEST(ExposureBySurfaces, IsRightToHalfAPercentAStepAway) {
     const Gains darker{0.6F, 0.75F, 0.9F};
     const Known one(2.0, 1.6, 0.4, {1, 1, 1});
     const Known other(2.8, 2.2, -0.9, darker);
-    const auto gains = gainsBySurfaces(one.photo(), other.photo());
-    ASSERT_TRUE(gains);
+    const auto light = sharedLight(one.photo(), other.photo());
+    ASSERT_TRUE(light);
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_NEAR((*gains)[c] * darker[c], 1, 0.005) << c;
+        EXPECT_NEAR(light->gains[c] * darker[c], 1, 0.005) << c;
     }
 }
 
@@ -88,16 +89,46 @@ TEST(ExposureByDistances, IsRightToAPercentBesideAWall) {
     }
 }
 
+// Four photos as a camera develops them that compresses light from a knee on.
+TEST(HighlightKnee, IsFoundToTenLevelsAndIsWhiteWithoutOne) {
+    const std::vector<float> exposures{0.7F, 1, 1.4F, 0.9F};
+    for (const double knee : {125.0, 150.0, 180.0, 255.0}) {
+        std::vector<Known> photos;
+        for (std::size_t i = 0; i < exposures.size(); ++i) {
+            const auto step = static_cast<double>(i);
+            Known& known = photos.emplace_back(2.0 + 0.3 * step, 1.6, 0.4 * step, Gains{1, 1, 1});
+            for (std::uint8_t& value : known.picture.values()) {
+                value = static_cast<std::uint8_t>(
+                    render::exposedValue(value, static_cast<double>(exposures[i]), knee) + 0.5);
+            }
+        }
+        std::vector<ExposureRatio> ratios;
+        for (std::size_t i = 0; i < photos.size(); ++i) {
+            for (std::size_t k = 0; k < photos.size(); ++k) {
+                const auto light = i == k ? std::nullopt : sharedLight(photos[i].photo(), photos[k].photo());
+                if (light) {
+                    ratios.push_back({i, k, *light});
+                }
+            }
+        }
+        ASSERT_EQ(ratios.size(), 12U);
+        const std::vector<Gains> gains = commonGains(photos.size(), ratios);
+        EXPECT_NEAR(gains[1][1] / gains[2][1], exposures[2] / exposures[1], 0.02) << knee;
+        EXPECT_NEAR(highlightKnee(gains, ratios), knee, 10) << knee;
+    }
+    EXPECT_EQ(highlightKnee({}, {}), 255);
+}
+
 TEST(ExposureBySurfaces, IsNotToldWithoutPlacesThatBothSee) {
     const Known one(2.0, 1.6, 0, {1, 1, 1});
     Known unsure(2.4, 1.6, 0, {1, 1, 1});
     std::fill(unsure.depth.sure.values().begin(), unsure.depth.sure.values().end(), std::uint8_t{0});
-    EXPECT_FALSE(gainsBySurfaces(one.photo(), unsure.photo()));
+    EXPECT_FALSE(sharedLight(one.photo(), unsure.photo()));
     const Known dark(2.4, 1.6, 0, {0.01F, 0.01F, 0.01F});
-    EXPECT_FALSE(gainsBySurfaces(one.photo(), dark.photo()));
+    EXPECT_FALSE(sharedLight(one.photo(), dark.photo()));
     Known elsewhere(2.4, 1.6, 0, {1, 1, 1}); // its depths are of another room
     std::fill(elsewhere.depth.inverseM.values().begin(), elsewhere.depth.inverseM.values().end(), 5.0F);
-    EXPECT_FALSE(gainsBySurfaces(one.photo(), elsewhere.photo()));
+    EXPECT_FALSE(sharedLight(one.photo(), elsewhere.photo()));
 }
 
 TEST(CommonGains, FitRatiosThatContradictEachOtherAndLeaveTheMeanAlone) {
@@ -106,7 +137,8 @@ TEST(CommonGains, FitRatiosThatContradictEachOtherAndLeaveTheMeanAlone) {
         const auto value = static_cast<float>(std::exp(log));
         return Gains{value, 1 / value, 1};
     };
-    const std::vector<ExposureRatio> ratios{{0, 1, gain(0.11)}, {1, 2, gain(0.21)}, {2, 0, gain(-0.29)}};
+    const std::vector<ExposureRatio> ratios{
+        {0, 1, {gain(0.11)}}, {1, 2, {gain(0.21)}}, {2, 0, {gain(-0.29)}}};
     const std::vector<Gains> gains = commonGains(4, ratios);
     ASSERT_EQ(gains.size(), 4U);
     EXPECT_NEAR(std::log(gains[1][0] / gains[0][0]), 0.10, 1e-4);
@@ -121,7 +153,7 @@ TEST(CommonGains, OfAThousandPhotosInALineAreRight) {
     std::vector<ExposureRatio> ratios;
     for (std::size_t i = 0; i + 1 < 1000; ++i) {
         const float gain = i % 2 == 0 ? 1.25F : 0.8F;
-        ratios.push_back({i, i + 1, {gain, gain, gain}});
+        ratios.push_back({i, i + 1, {{gain, gain, gain}}});
     }
     const std::vector<Gains> gains = commonGains(1000, ratios);
     for (std::size_t i = 0; i + 1 < 1000; ++i) {

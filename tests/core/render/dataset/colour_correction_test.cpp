@@ -72,6 +72,34 @@ TEST(ColourCorrection, ThatCorrectsNothingChangesNoValueOfAnyChannel) {
     EXPECT_EQ(corrected({}, camera, picture), picture);
 }
 
+TEST(ExposedValue, FollowsTheGainUpToTheKneeAndEndsAtWhite) {
+    for (const double knee : {0.0, 100.0, 150.0, 254.0, 255.0}) {
+        for (const double gain : {0.05, 0.7, 0.999, 1.0, 1.001, 1.4, 20.0}) {
+            const double straightTo = knee / std::max(1.0, gain);
+            double before = -1;
+            for (int value = 0; value <= 255; ++value) {
+                const double exposed = exposedValue(value, gain, knee);
+                EXPECT_GE(exposed, before) << knee << " " << gain << " " << value;
+                EXPECT_LE(exposed, 255);
+                if (value <= straightTo) {
+                    EXPECT_NEAR(exposed, std::min(255.0, gain * value), 1e-9);
+                }
+                if (knee <= 150 && std::abs(std::log(gain)) < 1) { // else all light is in one level
+                    EXPECT_NEAR(exposedValue(exposed, 1 / gain, knee), value, 1e-6);
+                }
+                before = exposed;
+            }
+            EXPECT_NEAR(exposedValue(255, gain, knee), knee < 255 || gain >= 1 ? 255 : 255 * gain, 1e-9);
+            if (knee <= 150) {
+                EXPECT_NEAR(exposedValue(straightTo + 1e-4, gain, knee) -
+                                exposedValue(straightTo, gain, knee),
+                            gain * 1e-4, 2e-5 * gain)
+                    << "no corner at the knee";
+            }
+        }
+    }
+}
+
 TEST(ColourCorrection, LightAndStoredValuesTurnBackIntoEachOther) {
     for (double stored = 0; stored <= 1; stored += 0.001) {
         EXPECT_NEAR(storedValue(linearLight(stored)), stored, 1e-12);

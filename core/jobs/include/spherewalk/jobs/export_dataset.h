@@ -68,9 +68,10 @@ struct SurveyDepth {
     /// One path a photo. It is empty where no other photo stands farther away than
     /// SweepOptions::leastBaselineM, or where no depth was wanted.
     std::vector<std::filesystem::path> files;
-    /// What each photo's values are multiplied by to be as bright as the others. It is empty if depths are
+    /// What each photo's darker values are multiplied by to be as bright as the others: 1 if depths are
     /// wanted for radius and room alone.
     std::vector<scene::Gains> gains;
+    double highlightKnee = 255;            ///< The value from which on the camera compresses light.
     std::optional<double> radiusM;         ///< Radius of the sphere that stands best for the depths.
     std::optional<scene::FittedRoom> room; ///< The room that scene::fittedRoom() finds in the depths.
     DepthReport report;

@@ -52,6 +52,13 @@ double linearLight(double stored);
 /// The value in [0, 1] that sRGB stores for this light. It undoes linearLight().
 double storedValue(double linear);
 
+/// What a camera would store in place of a value at an exposure that multiplies its darker values by `gain`.
+/// Pictures follow a power of the light up to the knee. Above, cameras compress it, so that white stays
+/// white: the curve leaves the straight line at the knee without a corner, and reaches white level. With a
+/// knee of 255 values are cut there. A gain below 1 undoes its inverse. Range: value and knee from 0 to 255,
+/// gain above 0.
+double exposedValue(double value, double gain, double knee);
+
 /// The correction as dataset.json holds it.
 Json toJson(const ColourCorrection& correction);
 

@@ -51,8 +51,8 @@ struct DatasetPhoto {
     std::string rotationSource; ///< The words are "imported", "aligned", "metadata" and "unknown" (identity).
     std::optional<Eigen::Vector3d> positionSigmaM;
     std::optional<RotationSigma> rotationSigma;
-    /// What its red, green and blue are multiplied by to be as bright as the other photos. Views that take
-    /// pixels from several photos make the others as bright as the nearest.
+    /// The gains with which its red, green and blue are as bright as the other photos, see exposedValue().
+    /// Views that take pixels from several photos make the others as bright as the nearest.
     std::optional<Eigen::Vector3d> exposureGain;
     /// A scene model that is cheaper than the dataset's choice and good enough around this photo.
     std::optional<SceneKind> scene;
@@ -86,7 +86,8 @@ struct DatasetInfo {
     std::optional<RoomShape> roomShape;  ///< It exists if the dataset has the room scene model.
     /// The errors of the scene models that were measured, defined as ViewChoice::errorPx.
     std::map<SceneKind, double> measuredErrorPx;
-    std::optional<ViewChoice> choice;       ///< It exists if it was measured.
+    std::optional<ViewChoice> choice; ///< It exists if it was measured.
+    double highlightKnee = 255; ///< The value above which the camera compresses light, see exposedValue().
     std::optional<ColourCorrection> colour; ///< From the photos' colours to the robot's, if it is known.
     std::vector<DatasetTag> tags;
     std::vector<SuggestedCamera> cameras;

@@ -15,7 +15,7 @@
 namespace spherewalk::scene {
 
 /// What the values of a photo's red, green and blue are multiplied by. Values that follow a power of the
-/// light differ by a factor, whatever the exposure.
+/// light differ by a factor, whatever the exposure. Cameras compress bright ones, see render::exposedValue().
 using Gains = std::array<float, 3>;
 
 /// The gains with which another photo is as bright as this one, without depths. The gain is the median of the
@@ -28,22 +28,37 @@ Gains gainsTo(const PosedPicture& photo, const PosedPicture& other);
 /// equirectangular picture of any size.
 Gains gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const PosedPicture& other);
 
-/// The gains with which another photo is as bright as this one: the median of the factor over places that
-/// both show, as the depths of both tell. Burnt and black pixels do not count. It is nothing where the photos
-/// share less than a hundred places. Range: pictures and depths of any 2:1 sizes; pictures of about 256
-/// pixels are enough.
-std::optional<Gains> gainsBySurfaces(const KnownPhoto& photo, const KnownPhoto& other);
+/// How the same places look in two photos.
+struct SharedLight {
+    static constexpr std::size_t kBins = 16;
+
+    Gains gains{}; ///< With them, the other photo is as bright as this one.
+    /// For red, green and blue, where the other photo has values about 16 i + 8: the median of this one's
+    /// values. It is negative where they share less than 30 places.
+    std::array<std::array<float, kBins>, 3> values{};
+};
+
+/// How another photo shows the places that this one shows, as the depths of both tell. Gains are the median
+/// of the factor. Burnt and black pixels do not count, and bright ones only where the photos share less than
+/// a hundred darker places. It is nothing where they share less than a hundred places. Range: pictures and
+/// depths of any 2:1 sizes; pictures of about 256 pixels are enough.
+std::optional<SharedLight> sharedLight(const KnownPhoto& photo, const KnownPhoto& other);
 
 /// How much brighter one photo is than another.
 struct ExposureRatio {
     std::size_t photo = 0;
     std::size_t other = 0;
-    Gains gains{}; ///< With them, the other photo is as bright as this one.
+    SharedLight light;
 };
 
 /// The gains with which all photos are equally bright, in the mean of their logarithms as bright as they are.
 /// The logarithms fit the ratios best by least squares. Photos that no ratio joins are each as bright as they
 /// are. Range: gains above 0.
 std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio> ratios);
+
+/// The value from which on the camera compresses light: with it, gains make the photos' values most alike, in
+/// steps of 5 from 80 to 255. It is 255 where that is hardly better, or where too few photos differ in
+/// brightness. gains: those of commonGains().
+double highlightKnee(std::span<const Gains> gains, std::span<const ExposureRatio> ratios);
 
 } // namespace spherewalk::scene
