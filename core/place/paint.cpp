@@ -34,8 +34,7 @@ SurfacePainter::SurfacePainter(Surface& surface, double withinM)
     : m_surface(surface), m_withinM(withinM), m_sums(surface.vertices.size(), Eigen::Vector4f::Zero()) {
 }
 
-void SurfacePainter::add(const SeenDepth& depth, const RgbImage& picture, const Eigen::Vector3d& gain,
-                         int threads) {
+void SurfacePainter::add(const SeenDepth& depth, const RgbImage& picture, int threads) {
     const Eigen::Vector3d& eye = depth.roomFromPhoto().translation;
     const auto count = static_cast<int>(m_sums.size());
     parallelFor(count, kVerticesAGrain, threads, [&](int begin, int end) {
@@ -50,8 +49,7 @@ void SurfacePainter::add(const SeenDepth& depth, const RgbImage& picture, const 
             const float facing = vertex.normal.dot(ray.cast<float>());
             const float share = facing / std::max(sight.pointM, 0.1F);
             const float weight = share * share * share * share; // nearly all is the best photo's
-            const Eigen::Vector3f colour = colourIn(picture, depth.directionTo(vertex.pInRoom));
-            m_sums[i].head<3>() += weight * colour.cwiseProduct(gain.cast<float>());
+            m_sums[i].head<3>() += weight * colourIn(picture, depth.directionTo(vertex.pInRoom));
             m_sums[i].w() += weight;
         }
     });

@@ -144,7 +144,7 @@ KneeError errorOf(double knee, std::span<const Gains> gains, std::span<const Exp
     KneeError error;
     for (const ExposureRatio& ratio : ratios) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const double gain = static_cast<double>(gains[ratio.other][c] / gains[ratio.photo][c]);
+            const auto gain = static_cast<double>(gains[ratio.other][c] / gains[ratio.photo][c]);
             if (gain > kDifferent || gain < 1 / kDifferent) {
                 error.add(ratio.light, c, gain, knee);
             }

@@ -13,9 +13,11 @@
 #include "spherewalk/place/solid_boxes.h"
 #include "spherewalk/place/surface.h"
 #include "spherewalk/place/surface_files.h"
+#include "spherewalk/render/colour_correction.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -36,6 +38,16 @@ constexpr double kHangsM = 0.07;         ///< what reaches no farther into the r
 constexpr double kFurnitureErrorM = 0.004;
 constexpr double kVoxelsACell = 2;    ///< of furniture; the fused surface is rougher than a voxel
 constexpr double kLeastPartM2 = 0.01; ///< smaller parts that hang in the air are mistakes of single photos
+
+/// Makes a photo as bright as the others.
+void expose(RgbImage& picture, const Eigen::Vector3d& gain, double knee) {
+    const std::array tables = {render::exposedValues(gain[0], knee), render::exposedValues(gain[1], knee),
+                               render::exposedValues(gain[2], knee)};
+    const std::span<std::uint8_t> values = picture.values();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = tables[i % 3][values[i]];
+    }
+}
 
 class PlaceExport {
   public:
@@ -150,10 +162,11 @@ class PlaceExport {
         for (std::size_t i = 0; i < m_depths.size(); ++i) {
             throwIfStopped(m_stop);
             const render::DatasetPhoto& photo = photos()[m_withDepth[i]];
-            const RgbImage picture =
+            RgbImage picture =
                 jpeg::decodeAtLeast(m_dataset.readPhoto(m_withDepth[i]), photo.file, m_depths[i].width());
-            painter.add(m_depths[i], picture, photo.exposureGain.value_or(Eigen::Vector3d::Ones()),
-                        m_options.fusion.threads);
+            expose(picture, photo.exposureGain.value_or(Eigen::Vector3d::Ones()),
+                   m_dataset.info().highlightKnee);
+            painter.add(m_depths[i], picture, m_options.fusion.threads);
             progress.progress(static_cast<double>(i + 1) / static_cast<double>(m_depths.size()),
                               text("Painting surfaces, photo ", i + 1, " of ", m_depths.size()));
         }

@@ -52,6 +52,14 @@ double exposedValue(double value, double gain, double knee) {
     return least + share * (kWhite - least);
 }
 
+std::array<std::uint8_t, 256> exposedValues(double gain, double knee) {
+    std::array<std::uint8_t, 256> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = static_cast<std::uint8_t>(exposedValue(static_cast<double>(i), gain, knee) + 0.5);
+    }
+    return values;
+}
+
 void ColourCorrection::validate() const {
     if (!(matrix.array().abs() <= kMostMatrix).all()) { // NaN too
         throw Error(ErrorKind::InvalidInput,

@@ -76,10 +76,8 @@ SurfaceView::Drawn::Drawn(const SurfacePhoto& photo) : mesh(photo.mesh), size(ph
         return;
     }
     for (int channel = 0; channel < 3; ++channel) {
-        for (int level = 0; level < 256; ++level) {
-            const double value = exposedValue(level, photo.gain[channel], photo.highlightKnee);
-            levels.push_back(static_cast<std::uint8_t>(value + 0.5));
-        }
+        const auto values = exposedValues(photo.gain[channel], photo.highlightKnee);
+        levels.insert(levels.end(), values.begin(), values.end());
     }
 }
 

@@ -138,7 +138,7 @@ TEST(SurfacePainter, GivesAPlaceTheColourThatThePhotoShowsThere) {
     Surface surface = room.surface();
     SurfacePainter painter(surface, test::SeenRoom::kVoxelM);
     const Rigid3& pose = room.depths[0].roomFromPhoto();
-    painter.add(room.depths[0], directionsFrom(pose), {1, 1, 0.5});
+    painter.add(room.depths[0], directionsFrom(pose));
     painter.finish();
     std::size_t shown = 0;
     for (const SurfaceVertex& vertex : surface.vertices) {
@@ -149,7 +149,7 @@ TEST(SurfacePainter, GivesAPlaceTheColourThatThePhotoShowsThere) {
         const Eigen::Vector3d d = (vertex.pInRoom - pose.translation).normalized();
         EXPECT_NEAR(vertex.colour[0], 100 + 80 * d.x(), 8);
         EXPECT_NEAR(vertex.colour[1], 100 + 80 * d.y(), 8);
-        EXPECT_NEAR(vertex.colour[2], 50 + 40 * d.z(), 4) << "the gain halves blue";
+        EXPECT_NEAR(vertex.colour[2], 100 + 80 * d.z(), 8);
     }
     EXPECT_GT(shown, surface.vertices.size() - 20) << "all but corners";
 }
@@ -168,7 +168,7 @@ TEST(SurfacePainter, LeavesGreyWhatNoPhotoShows) {
         red.values()[i] = 200;
     }
     SurfacePainter painter(surface, test::SeenRoom::kVoxelM);
-    painter.add(upper.depths[0], red, {1, 1, 1});
+    painter.add(upper.depths[0], red);
     painter.finish();
     for (const SurfaceVertex& vertex : surface.vertices) {
         const bool isAbove = vertex.pInRoom.z() > 1.5;

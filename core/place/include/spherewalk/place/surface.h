@@ -81,8 +81,8 @@ class SurfacePainter {
     SurfacePainter(Surface& surface, double withinM);
 
     /// Adds a photo's colours where it shows the surface. Near photos that look straight at it count most.
-    /// gain: what red, green and blue are multiplied by to be as bright as the other photos.
-    void add(const SeenDepth& depth, const RgbImage& picture, const Eigen::Vector3d& gain, int threads = 0);
+    /// picture: as bright as those of the other photos.
+    void add(const SeenDepth& depth, const RgbImage& picture, int threads = 0);
 
     /// Writes the colours into the surface. A vertex that no photo shows is grey.
     void finish();

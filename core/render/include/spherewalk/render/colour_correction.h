@@ -59,6 +59,9 @@ double storedValue(double linear);
 /// gain above 0.
 double exposedValue(double value, double gain, double knee);
 
+/// exposedValue() of the values 0 to 255, rounded.
+std::array<std::uint8_t, 256> exposedValues(double gain, double knee);
+
 /// The correction as dataset.json holds it.
 Json toJson(const ColourCorrection& correction);
 
