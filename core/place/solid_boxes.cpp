@@ -117,8 +117,11 @@ class Solids {
                     } else if (isCovered) {
                         const Space space = spaceAt(m_photos, middle({x, y, z}), marginM, mirroredFloorM);
                         isCovered = space != Space::Free;
-                        mirroredFloorM =
-                            space == Space::Mirror ? std::optional(m_options.floorM) : mirroredFloorM;
+                        if (space == Space::Mirror) {
+                            mirroredFloorM = m_options.floorM;
+                        } else if (!isCovered) {
+                            mirroredFloorM.reset(); // what stands farther below is another thing
+                        }
                         cell = !isCovered ? kFree : mirroredFloorM.has_value() ? kMirror : kSolid;
                     }
                 }

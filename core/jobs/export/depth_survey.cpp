@@ -86,7 +86,9 @@ class DepthJob {
         }
         result.report.photos = photos.size();
         estimateMissing(result);
-        compareExposures(m_options.onlyForScene ? std::vector<std::size_t>() : photos, result);
+        if (!m_options.onlyForScene) {
+            compareExposures(photos, result);
+        }
         result.report.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result;
@@ -390,10 +392,9 @@ class DepthJob {
             const auto own = small(photo);
             const auto depth = found({Kind::Agree, photo});
             for (const std::size_t other : m_agreeing[photo]) {
-                const auto its = small(other);
-                const auto itsDepth = found({Kind::Agree, other});
-                const auto light = scene::sharedLight({posed(photo, *own), depth.get()},
-                                                      {posed(other, *its), itsDepth.get()});
+                const auto light =
+                    scene::sharedLight({posed(photo, *own), depth.get()},
+                                       {posed(other, *small(other)), found({Kind::Agree, other}).get()});
                 if (light) {
                     ratios.push_back({photo, other, *light});
                 }

@@ -68,8 +68,8 @@ struct SurveyDepth {
     /// One path a photo. It is empty where no other photo stands farther away than
     /// SweepOptions::leastBaselineM, or where no depth was wanted.
     std::vector<std::filesystem::path> files;
-    /// What each photo's darker values are multiplied by to be as bright as the others: 1 if depths are
-    /// wanted for radius and room alone.
+    /// What each photo's darker values are multiplied by to be as bright as the others. It is empty if depths
+    /// are wanted for radius and room alone.
     std::vector<scene::Gains> gains;
     double highlightKnee = 255;            ///< The value from which on the camera compresses light.
     std::optional<double> radiusM;         ///< Radius of the sphere that stands best for the depths.
