@@ -296,11 +296,11 @@ struct Helper {
 
 std::vector<Helper> helpers(const PosedPicture& photo, std::span<const PosedPicture> others,
                             const RoomSurface& room) {
-    const Image<float, 1> inverseM = inverseTo(room, photo.roomFromPhoto);
+    const std::vector<Gains> gains = gainsTo(photo, inverseTo(room, photo.roomFromPhoto), others);
     std::vector<Helper> result;
-    for (const PosedPicture& other : others) {
-        result.push_back({other.picture, other.roomFromPhoto.rotation.conjugate(),
-                          other.roomFromPhoto.translation, gainsTo(photo, inverseM, other)});
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        result.push_back({others[i].picture, others[i].roomFromPhoto.rotation.conjugate(),
+                          others[i].roomFromPhoto.translation, gains[i]});
     }
     return result;
 }

@@ -116,13 +116,12 @@ class Refinement {
   private:
     static SweepCost costFor(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours, int threads) {
         std::vector<PosedPicture> pictures;
-        std::vector<Gains> gains;
         std::vector<const Plane*> depths;
         for (const KnownPhoto& neighbour : neighbours) {
             pictures.push_back(neighbour.photo);
-            gains.push_back(gainsTo(photo.photo, photo.depth->inverseM, neighbour.photo));
             depths.push_back(&neighbour.depth->inverseM);
         }
+        const std::vector<Gains> gains = gainsTo(photo.photo, photo.depth->inverseM, pictures);
         return {photo.photo, pictures, kKeptShare, photo.depth->inverseM.width(), threads, gains, depths};
     }
 

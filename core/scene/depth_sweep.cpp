@@ -132,14 +132,10 @@ class Sweep {
         SweepOptions options = m_options;
         options.coarseWidth = kRoughWidth;
         Sweep rough(m_photo, m_neighbours, options, m_stop);
-        for (const PosedPicture& other : m_neighbours) {
-            rough.m_gains.push_back(gainsTo(m_photo, other));
-        }
-        for (int round = 0; round < kRounds; ++round) {
-            const Plane inverse = rough.coarse();
-            for (std::size_t i = 0; i < m_neighbours.size(); ++i) {
-                rough.m_gains[i] = gainsTo(m_photo, inverse, m_neighbours[i]);
-            }
+        rough.m_gains = gainsTo(m_photo, m_neighbours);
+        for (int round = 0; round < kRounds && rough.m_gains != m_gains; ++round) {
+            m_gains = rough.m_gains;
+            rough.m_gains = gainsTo(m_photo, rough.coarse(), m_neighbours);
         }
         m_gains = rough.m_gains;
     }

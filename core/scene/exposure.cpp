@@ -33,15 +33,95 @@ bool isWithin(int value) {
     return value > kDarkest && value < kBrightest;
 }
 
-float gainFrom(const std::vector<double>& logs, double patches) {
-    if (logs.size() < kFewest) {
-        return 1;
+/// What places tell of a factor.
+struct Factor {
+    double log = 0;
+    double spread = 0; ///< Of the places' logarithms, one standard deviation.
+    bool isKnown = false;
+};
+
+using Factors = std::array<Factor, 3>; ///< Of red, green and blue.
+
+Factors factorsOf(const std::array<std::vector<double>, 3>& logs) {
+    Factors factors;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (logs[c].size() >= kFewest) {
+            const auto [middle, spread] = medianAndSpread(logs[c]);
+            factors[c] = {std::clamp(middle, -kMostLog, kMostLog), spread, true};
+        }
     }
-    const auto [middle, spread] = medianAndSpread(logs);
-    const double sigma = spread / std::sqrt(patches);
-    return std::abs(middle) < kSigmas * sigma
-               ? 1.0F
-               : static_cast<float>(std::exp(std::clamp(middle, -kMostLog, kMostLog)));
+    return factors;
+}
+
+Gains gainsOf(const Factors& factors, double patches) {
+    Gains gains{1, 1, 1};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double sigma = factors[c].spread / std::sqrt(patches);
+        if (factors[c].isKnown && std::abs(factors[c].log) >= kSigmas * sigma) {
+            gains[c] = static_cast<float>(std::exp(factors[c].log));
+        }
+    }
+    return gains;
+}
+
+/// How far off a factor is, one standard deviation of its logarithm. Where places differ, most distances are
+/// wrong.
+double sigmaOf(const Factor& factor) {
+    constexpr double kLeast = 0.02;
+    constexpr double kGrowth = 8; ///< From a spread of 0.4 on, factors are off by as much as that.
+    return kLeast + kGrowth * std::pow(factor.spread, 4);
+}
+
+bool areTold(const PosedPicture& photo, const PosedPicture& other) {
+    return photo.gains && other.gains;
+}
+
+/// What the camera's settings tell. Range: areTold().
+Gains toldGains(const PosedPicture& photo, const PosedPicture& other) {
+    Gains gains;
+    for (std::size_t c = 0; c < 3; ++c) {
+        gains[c] = (*other.gains)[c] / (*photo.gains)[c];
+    }
+    return gains;
+}
+
+/// How far off that is, one standard deviation of its logarithm: half of the photos are no farther off, by
+/// their weight.
+double sigmaOfTold(std::span<const Factors> factors, std::span<const Gains> told) {
+    constexpr double kLeast = 0.15; ///< Cameras round what they state, and find the tone by the picture.
+    constexpr double kSigmaPerMedian = 1.5;
+    std::vector<std::pair<double, double>> errors; // and their weights
+    double all = 0;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const Factor& green = factors[i][1];
+        if (green.isKnown) {
+            errors.emplace_back(std::abs(green.log - std::log(static_cast<double>(told[i][1]))),
+                                1 / (sigmaOf(green) * sigmaOf(green)));
+            all += errors.back().second;
+        }
+    }
+    std::sort(errors.begin(), errors.end());
+    double sum = 0;
+    for (const auto& [error, weight] : errors) {
+        sum += weight;
+        if (2 * sum >= all) {
+            return std::max(kLeast, kSigmaPerMedian * error);
+        }
+    }
+    return kLeast;
+}
+
+/// The mean of both logarithms, by what they are worth.
+Gains meanOf(const Factors& factors, const Gains& told, double sigmaOfTold) {
+    Gains gains = told;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (factors[c].isKnown) {
+            const double share = 1 / (1 + std::pow(sigmaOf(factors[c]) / sigmaOfTold, 2));
+            const double log = std::log(static_cast<double>(told[c]));
+            gains[c] = static_cast<float>(std::exp(log + share * (factors[c].log - log)));
+        }
+    }
+    return gains;
 }
 
 const std::uint8_t* nearest(const RgbImage& picture, const Eigen::Vector3d& way) {
@@ -122,6 +202,16 @@ class SharedValues {
     std::array<std::array<std::vector<float>, SharedLight::kBins>, 3> m_values;
 };
 
+/// What the camera's settings tell in place of what is shared. Range: areTold().
+SharedLight toldLight(const PosedPicture& photo, const PosedPicture& other) {
+    constexpr double kWeight = 0.05; ///< Of places that are shared.
+    SharedLight light{.gains = toldGains(photo, other), .weight = kWeight};
+    for (auto& values : light.values) {
+        values.fill(-1);
+    }
+    return light;
+}
+
 /// How far values are apart that are made equally bright, and of how many that is.
 struct KneeError {
     double sum = 0;
@@ -153,9 +243,7 @@ KneeError errorOf(double knee, std::span<const Gains> gains, std::span<const Exp
     return error;
 }
 
-} // namespace
-
-Gains gainsTo(const PosedPicture& photo, const PosedPicture& other) {
+Factors factorsTo(const PosedPicture& photo, const PosedPicture& other) {
     const EquirectSize size{kWidth, kWidth / 2};
     const RgbImage own = photo::resized(photo.atLeast(size.width), size.width, size.height);
     const RgbImage its = photo::resized(other.atLeast(size.width), size.width, size.height);
@@ -165,10 +253,10 @@ Gains gainsTo(const PosedPicture& photo, const PosedPicture& other) {
     overSphere(kWidth, [&](int x, int y, const Eigen::Vector3d& way) {
         addLogs(own.at(x, y), nearest(its, otherFromPhoto * way), logs);
     });
-    return {gainFrom(logs[0], kPatches), gainFrom(logs[1], kPatches), gainFrom(logs[2], kPatches)};
+    return factorsOf(logs);
 }
 
-Gains gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const PosedPicture& other) {
+Factors factorsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const PosedPicture& other) {
     constexpr EquirectSize kPlaces{128, 64};
     const RgbImage own = photo::resized(photo.atLeast(kPlaces.width), kPlaces.width, kPlaces.height);
     const RgbImage its = photo::resized(other.atLeast(kPlaces.width), kPlaces.width, kPlaces.height);
@@ -182,8 +270,60 @@ Gains gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const 
                                         inverse * otherFromPhoto.translation;
         addLogs(own.at(x, y), nearest(its, other.lenses.directionTo(inOther, inverse)), logs);
     });
-    return {gainFrom(logs[0], kPatchesOfPlaces), gainFrom(logs[1], kPatchesOfPlaces),
-            gainFrom(logs[2], kPatchesOfPlaces)};
+    return factorsOf(logs);
+}
+
+} // namespace
+
+std::vector<std::optional<Gains>> toldGains(std::span<const std::optional<double>> stops) {
+    constexpr double kPowerOfLight = 1 / 2.2; // about the curve of sRGB
+    constexpr double kSameStops = 0.01;
+    std::vector<double> known;
+    for (const auto& of : stops) {
+        known.insert(known.end(), of ? 1 : 0, of.value_or(0));
+    }
+    std::vector<std::optional<Gains>> gains(stops.size());
+    if (known.empty()) {
+        return gains;
+    }
+    const auto [least, most] = std::minmax_element(known.begin(), known.end());
+    for (std::size_t i = 0; i < stops.size() && *most - *least > kSameStops; ++i) {
+        if (stops[i]) {
+            const double log2 = kPowerOfLight * (0.5 * (*least + *most) - *stops[i]);
+            const auto gain = static_cast<float>(std::exp2(std::clamp(log2, -kMostLog, kMostLog)));
+            gains[i] = Gains{gain, gain, gain};
+        }
+    }
+    return gains;
+}
+
+std::vector<Gains> gainsTo(const PosedPicture& photo, std::span<const PosedPicture> others) {
+    std::vector<Gains> gains;
+    for (const PosedPicture& other : others) {
+        gains.push_back(areTold(photo, other) ? toldGains(photo, other)
+                                              : gainsOf(factorsTo(photo, other), kPatches));
+    }
+    return gains;
+}
+
+std::vector<Gains> gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM,
+                           std::span<const PosedPicture> others) {
+    std::vector<Factors> factors;
+    std::vector<Gains> gains;
+    bool areAllTold = true;
+    for (const PosedPicture& other : others) {
+        factors.push_back(factorsTo(photo, inverseM, other));
+        gains.push_back(areTold(photo, other) ? toldGains(photo, other)
+                                              : gainsOf(factors.back(), kPatchesOfPlaces));
+        areAllTold = areAllTold && areTold(photo, other);
+    }
+    if (areAllTold) {
+        const double sigma = sigmaOfTold(factors, gains);
+        for (std::size_t i = 0; i < gains.size(); ++i) {
+            gains[i] = meanOf(factors[i], gains[i], sigma);
+        }
+    }
+    return gains;
 }
 
 std::optional<SharedLight> sharedLight(const KnownPhoto& photo, const KnownPhoto& other) {
@@ -204,7 +344,8 @@ std::optional<SharedLight> sharedLight(const KnownPhoto& photo, const KnownPhoto
             shared.add(nearest(*photo.photo.picture, way), nearest(*other.photo.picture, seen));
         }
     });
-    return shared.light();
+    const std::optional<SharedLight> light = shared.light();
+    return light || !areTold(photo.photo, other.photo) ? light : toldLight(photo.photo, other.photo);
 }
 
 std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio> ratios) {
@@ -217,12 +358,13 @@ std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio
     for (const ExposureRatio& ratio : ratios) {
         const auto a = static_cast<Eigen::Index>(ratio.photo);
         const auto b = static_cast<Eigen::Index>(ratio.other);
-        entries.emplace_back(a, a, 1);
-        entries.emplace_back(b, b, 1);
-        entries.emplace_back(a, b, -1);
-        entries.emplace_back(b, a, -1);
+        const double weight = ratio.light.weight;
+        entries.emplace_back(a, a, weight);
+        entries.emplace_back(b, b, weight);
+        entries.emplace_back(a, b, -weight);
+        entries.emplace_back(b, a, -weight);
         for (std::size_t c = 0; c < 3; ++c) {
-            const double log = std::log(ratio.light.gains[c]); // gain of b less gain of a
+            const double log = weight * std::log(ratio.light.gains[c]); // gain of b less gain of a
             right(a, static_cast<Eigen::Index>(c)) -= log;
             right(b, static_cast<Eigen::Index>(c)) += log;
         }

@@ -10,7 +10,9 @@
 #include "spherewalk/base/text.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/photo/blurred_photo.h"
+#include "spherewalk/photo/metadata.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/scene/exposure.h"
 
 #include <algorithm>
 #include <array>
@@ -89,6 +91,21 @@ scene::CarriedThings carriedBy(const std::vector<DepthInput>& all, const std::fi
 }
 
 } // namespace
+
+std::vector<DepthInput> depthInputs(std::span<const dataset::SourcePhoto> photos) {
+    std::vector<DepthInput> inputs;
+    std::vector<std::optional<double>> stops;
+    for (const dataset::SourcePhoto& photo : photos) {
+        inputs.push_back(
+            {photo.file, photo.sha256, photo.entry.roomFromPhoto, photo.entry.lenses, photo.regions});
+        stops.push_back(photo::exposureStops(photo::readMetadata(readFile(photo.file), photo.file.string())));
+    }
+    const auto gains = scene::toldGains(stops);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        inputs[i].gains = gains[i];
+    }
+    return inputs;
+}
 
 ClearedPhotos::ClearedPhotos(std::vector<DepthInput> photos, survey::Room room,
                              std::filesystem::path cacheFolder, bool looks, const std::stop_token& stop)

@@ -2,17 +2,22 @@
 #pragma once
 
 #include "spherewalk/base/recently_used.h"
+#include "spherewalk/dataset/writer.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/scene/carried.h"
 #include "spherewalk/survey/room.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace spherewalk::jobs {
+
+/// A dataset's photos, as their depths are estimated from. Errors: those of reading the files.
+std::vector<DepthInput> depthInputs(std::span<const dataset::SourcePhoto> photos);
 
 /// Photos of a survey without what the camera carries along: floor and walls stand in its place, as other
 /// photos show them. Their files are made when they are asked for, and kept for later runs. Threads: one at a

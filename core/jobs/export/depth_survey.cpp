@@ -29,7 +29,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kDepthMethod = 10; ///< grows when the same photos and options give another depth
+constexpr int kDepthMethod = 11; ///< grows when the same photos and options give another depth
 constexpr std::size_t kPicturesKept = 24;
 constexpr std::size_t kSmallKept = 1000; ///< pictures of 100 kB
 constexpr std::uint64_t kBytesAPixel = 2;
@@ -259,11 +259,11 @@ class DepthJob {
     }
 
     scene::PosedPicture posed(std::size_t photo, const scene::PictureSizes& picture) const {
-        return {&picture.largest(), m_poses[photo], m_photos[photo].lenses, &picture};
+        return {&picture.largest(), m_poses[photo], m_photos[photo].lenses, &picture, m_photos[photo].gains};
     }
 
     scene::PosedPicture posed(std::size_t photo, const RgbImage& picture) const {
-        return {&picture, m_poses[photo], m_photos[photo].lenses};
+        return {&picture, m_poses[photo], m_photos[photo].lenses, nullptr, m_photos[photo].gains};
     }
 
     scene::PosedDepth posed(std::size_t photo, const scene::PhotoDepth& depth) const {
@@ -271,8 +271,9 @@ class DepthJob {
     }
 
     std::string placeKey(std::size_t photo) const {
+        const auto [red, green, blue] = m_photos[photo].gains.value_or(scene::Gains());
         return text(m_photos[photo].sha256, " ", jobs::keyOf(m_poses[photo]), " ",
-                    m_photos[photo].lenses.aheadM, "\n");
+                    m_photos[photo].lenses.aheadM, " ", red, " ", green, " ", blue, "\n");
     }
 
     /// All that a step's result depends on.
@@ -392,10 +393,9 @@ class DepthJob {
             const auto own = small(photo);
             const auto depth = found({Kind::Agree, photo});
             for (const std::size_t other : m_agreeing[photo]) {
-                const auto light =
-                    scene::sharedLight({posed(photo, *own), depth.get()},
-                                       {posed(other, *small(other)), found({Kind::Agree, other}).get()});
-                if (light) {
+                if (const auto light = scene::sharedLight(
+                        {posed(photo, *own), depth.get()},
+                        {posed(other, *small(other)), found({Kind::Agree, other}).get()})) {
                     ratios.push_back({photo, other, *light});
                 }
             }

@@ -193,15 +193,6 @@ DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& 
     return depth;
 }
 
-std::vector<DepthInput> depthInputs(const dataset::Contents& contents) {
-    std::vector<DepthInput> inputs;
-    for (const dataset::SourcePhoto& photo : contents.photos) {
-        inputs.push_back(
-            {photo.file, photo.sha256, photo.entry.roomFromPhoto, photo.entry.lenses, photo.regions});
-    }
-    return inputs;
-}
-
 /// The room as a person drew it, in place of one that the photos do not show.
 std::optional<render::RoomShape> drawnRoom(const survey::Room& room, ProgressSink& progress) {
     if (room.outline.size() < 3 || !(room.ceilingM > 0)) {
@@ -222,7 +213,7 @@ ClearedPhotos clearedPhotos(const store::SurveyStore& store, const ExportOptions
                             const DepthCache& cache, const dataset::Contents& contents,
                             const ExportReport& report, const std::stop_token& stop) {
     const bool looks = options.clearsCarried && report.withoutRotation == 0;
-    return {depthInputs(contents), store.room(), cache.path(), looks, stop};
+    return {depthInputs(contents.photos), store.room(), cache.path(), looks, stop};
 }
 
 /// Makes the photos without what is carried along, and exports them.

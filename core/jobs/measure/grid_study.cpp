@@ -207,6 +207,11 @@ class Study {
         for (const std::size_t photo : split.kept) {
             inputs.push_back({m_renderer.dataset().folder() / photos()[photo].file, photos()[photo].sha256,
                               photos()[photo].roomFromPhoto, photos()[photo].lenses});
+            if (const auto& gain = photos()[photo].exposureGain) {
+                inputs.back().gains =
+                    scene::Gains{static_cast<float>(gain->x()), static_cast<float>(gain->y()),
+                                 static_cast<float>(gain->z())};
+            }
         }
         DepthOptions depth;
         depth.cacheFolder = m_options.cacheFolder.empty() ? m_ownFolder.path() : m_options.cacheFolder;

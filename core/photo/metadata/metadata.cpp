@@ -196,6 +196,13 @@ PhotoMetadata readMetadata(ByteView jpeg, std::string_view source) {
     return metadata;
 }
 
+std::optional<double> exposureStops(const PhotoMetadata& metadata) {
+    const double exposure = metadata.exposureS.value_or(0) * metadata.iso.value_or(0);
+    const double fNumber = metadata.fNumber.value_or(0);
+    return exposure > 0 && fNumber > 0 ? std::optional(std::log2(exposure / (fNumber * fNumber)))
+                                       : std::nullopt;
+}
+
 bool isLevel(const PhotoMetadata& metadata) {
     if (metadata.theta && metadata.theta->isLevelled) {
         return *metadata.theta->isLevelled;

@@ -80,13 +80,6 @@ void measureLight(Sketch& sketch) {
     sketch.burntPart /= area;
 }
 
-std::optional<double> exposureStops(const PhotoMetadata& metadata) {
-    const double exposure = metadata.exposureS.value_or(0) * metadata.iso.value_or(0);
-    const double fNumber = metadata.fNumber.value_or(0);
-    return exposure > 0 && fNumber > 0 ? std::optional(std::log2(exposure / (fNumber * fNumber)))
-                                       : std::nullopt;
-}
-
 constexpr int kLeastContrast = 40; ///< Grey levels of an edge; noise and soft shadows have less.
 constexpr int kLeastEdges = 150;
 constexpr double kSharpestShare = 0.2; ///< most edges of a room are soft by themselves

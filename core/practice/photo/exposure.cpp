@@ -187,7 +187,8 @@ ExposedPhoto Exposer::drawn(const ExposureSettings& settings, const std::stop_to
     tags.time = settings.time.utc;
     tags.timeZone = settings.time.zone;
     tags.exposureProgram = settings.program == 9 ? 2 : settings.program;
-    tags.exposureTimeS = settings.exposureTimeS > 0 ? settings.exposureTimeS : 1.0 / 60;
+    tags.exposureTimeS =
+        settings.exposureTimeS > 0 ? settings.exposureTimeS : lightOf(m_options.flaws, settings.shot) / 60;
     tags.isoSpeed = settings.isoSpeed > 0 ? settings.isoSpeed : 200;
     tags.exposureBias = settings.exposureBias;
     tags.hasFixedWhiteBalance = settings.hasFixedWhiteBalance;

@@ -46,6 +46,9 @@ RgbImage stitched(const RgbImage& front, const RgbImage& back);
 /// The same flaws and shot always give the same picture. Shape: equirectangular.
 void addFlaws(RgbImage& picture, const PhotoFlaws& flaws, int shot);
 
+/// How much more light than usual this shot has, with these flaws.
+double lightOf(const PhotoFlaws& flaws, int shot);
+
 /// Makes photos: it draws the room, or takes the nearest photo of a folder. Threads: any.
 class Exposer {
   public:

@@ -91,6 +91,10 @@ RgbImage stitched(const RgbImage& front, const RgbImage& back) {
     return picture;
 }
 
+double lightOf(const PhotoFlaws& flaws, int shot) {
+    return std::pow(gainsOf(flaws, shot)[1], 2);
+}
+
 void addFlaws(RgbImage& picture, const PhotoFlaws& flaws, int shot) {
     if (flaws.robotHalfAngleDeg > 0) {
         drawRobot(picture, flaws.robotHalfAngleDeg);

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace spherewalk::scene {
 
@@ -49,7 +51,8 @@ struct Known {
 /// turn: of the other photo.
 Gains gains(const RgbImage& photo, const RgbImage& other,
             const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
-    return gainsTo({&photo, {}}, {&other, {turn, Eigen::Vector3d::Zero()}});
+    const PosedPicture turned{&other, {turn, Eigen::Vector3d::Zero()}};
+    return gainsTo({&photo, {}}, {&turned, 1}).front();
 }
 
 } // namespace
@@ -81,12 +84,69 @@ TEST(ExposureByDistances, IsRightToAPercentBesideAWall) {
     const DepthImage range = flat.sphericalRange(pose, {256, 128});
     std::transform(range.values().begin(), range.values().end(), inverseM.values().begin(),
                    [](float m) { return 1 / m; });
-    const Gains near = gainsTo({&picture, pose}, inverseM, {&other, aside});
-    const Gains alongDirections = gainsTo({&picture, pose}, {&other, aside});
+    const PosedPicture posed{&other, aside};
+    const Gains near = gainsTo({&picture, pose}, inverseM, {&posed, 1}).front();
+    const Gains alongDirections = gainsTo({&picture, pose}, {&posed, 1}).front();
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(near[c] * darker[c], 1, 0.01) << c;
         EXPECT_GT(std::abs(alongDirections[c] * darker[c] - 1), 0.015) << c; // else this tests nothing
     }
+}
+
+TEST(ToldGains, FollowThePowerOfLightAndAreNoneWhereNothingDiffers) {
+    const auto gains = toldGains(std::vector<std::optional<double>>{-3, std::nullopt, -1});
+    ASSERT_TRUE(gains[0] && gains[2]);
+    EXPECT_FALSE(gains[1]);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR((*gains[0])[c] / (*gains[2])[c], std::pow(4, 1 / 2.2), 1e-5);
+    }
+    // A camera that states the same always does not tell how its photos differ.
+    EXPECT_EQ(toldGains(std::vector<std::optional<double>>{-2, -2, std::nullopt}),
+              std::vector<std::optional<Gains>>(3));
+    EXPECT_TRUE(toldGains({}).empty());
+}
+
+// Behind a wall, a photo shows something else at whatever distance.
+TEST(ExposureByDistances, FollowsTheSettingsWherePlacesDiffer) {
+    const Gains darker{0.5F, 0.5F, 0.5F};
+    const Known one(2.0, 1.6, 0.4, {1, 1, 1});
+    const Known beside(2.8, 2.2, -0.9, darker);
+    practice::PracticeRoomOptions options;
+    options.style = practice::RoomStyle::Flat;
+    options.sizeM = {8, 6, 2.5};
+    const RgbImage elsewhere =
+        times(practice::PracticeRoom(options).spherical(beside.pose, {256, 128}), darker);
+    const auto off = [&](const RgbImage& picture, const std::optional<Gains>& told) {
+        PosedPicture photo = one.photo().photo;
+        photo.gains = Gains{1, 1, 1};
+        PosedPicture its{&picture, beside.pose};
+        its.gains = told;
+        return std::abs(gainsTo(photo, one.depth.inverseM, {&its, 1}).front()[1] * darker[1] - 1);
+    };
+    const Gains right{2, 2, 2};
+    EXPECT_GT(off(elsewhere, std::nullopt), 0.1); // else this tests nothing
+    EXPECT_LT(off(elsewhere, right), 0.7 * off(elsewhere, std::nullopt));
+    EXPECT_LT(off(beside.picture, right), 0.01);
+    EXPECT_LT(off(beside.picture, Gains{1, 1, 1}), 0.05); // where places agree, wrong settings do little
+}
+
+TEST(ExposureBySurfaces, IsWhatTheSettingsTellWhereNothingIsShared) {
+    Known one(2.0, 1.6, 0.4, {1, 1, 1});
+    const Known other(2.8, 2.2, -0.9, {1, 1, 1});
+    std::fill(one.depth.sure.values().begin(), one.depth.sure.values().end(), std::uint8_t{0});
+    KnownPhoto photo = one.photo();
+    KnownPhoto its = other.photo();
+    EXPECT_FALSE(sharedLight(photo, its));
+    photo.photo.gains = Gains{1, 1, 1};
+    its.photo.gains = Gains{1.5F, 1.5F, 1.5F};
+    const auto light = sharedLight(photo, its);
+    ASSERT_TRUE(light);
+    EXPECT_EQ(light->gains, *its.photo.gains);
+    // What photos share counts twenty times as much.
+    SharedLight measured;
+    measured.gains = {1.2F, 1.2F, 1.2F};
+    const auto gains = commonGains(2, std::vector<ExposureRatio>{{0, 1, *light}, {0, 1, measured}});
+    EXPECT_NEAR(gains[1][0] / gains[0][0], std::exp((20 * std::log(1.2) + std::log(1.5)) / 21), 1e-5);
 }
 
 // Four photos as a camera develops them that compresses light from a knee on.
@@ -213,8 +273,8 @@ TEST(Exposure, IsTheSameFromSmallerPicturesThatWereMadeBefore) {
     const PictureSizes sizes(picture);
     const PictureSizes otherSizes(other);
     const Gains each = gains(picture, other);
-    const Gains small =
-        gainsTo({&sizes.largest(), {}, {}, &sizes}, {&otherSizes.largest(), {}, {}, &otherSizes});
+    const PosedPicture its{&otherSizes.largest(), {}, {}, &otherSizes};
+    const Gains small = gainsTo({&sizes.largest(), {}, {}, &sizes}, {&its, 1}).front();
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(small[c], each[c], 0.01) << c;
     }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <thread>
 
 namespace spherewalk {
@@ -36,6 +37,18 @@ TEST(PhotoMetadata, ReadsExifOfBothByteOrders) {
         EXPECT_FALSE(metadata.panorama);
         EXPECT_TRUE(metadata.remarks.empty());
     }
+}
+
+TEST(PhotoMetadata, TellsNoLightUnlessAllOfTheExposureIsStated) {
+    photo::PhotoMetadata metadata;
+    EXPECT_FALSE(photo::exposureStops(metadata));
+    metadata.exposureS = 0.5;
+    metadata.fNumber = 2;
+    EXPECT_FALSE(photo::exposureStops(metadata));
+    metadata.iso = 100;
+    EXPECT_NEAR(photo::exposureStops(metadata).value(), std::log2(12.5), 1e-12);
+    metadata.fNumber = 0;
+    EXPECT_FALSE(photo::exposureStops(metadata));
 }
 
 TEST(PhotoMetadata, TellsHowThePictureAsksToBeTurned) {

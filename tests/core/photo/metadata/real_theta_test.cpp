@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace spherewalk {
@@ -22,6 +23,7 @@ TEST(RealThetaS, SaysWhatTheCameraWrote) {
     EXPECT_EQ(metadata.exposureS, 0.004);
     EXPECT_EQ(metadata.fNumber, 2);
     EXPECT_EQ(metadata.iso, 100);
+    EXPECT_NEAR(exposureStops(metadata).value(), std::log2(0.004 * 100 / 4), 1e-12);
     EXPECT_TRUE(metadata.remarks.empty());
     ASSERT_TRUE(metadata.panorama && metadata.panorama->pitch && metadata.panorama->roll);
     EXPECT_EQ(metadata.panorama->projection, "equirectangular");

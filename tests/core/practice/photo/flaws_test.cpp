@@ -64,6 +64,7 @@ TEST(PhotoFlaws, ExposureChangesLightByAsManyStopsAsItSays) {
         RgbImage picture = grey(60, 16);
         addFlaws(picture, flaws, shot);
         stops.push_back(2 * std::log2(picture.at(3, 3)[1] / 60.0));
+        EXPECT_NEAR(std::log2(lightOf(flaws, shot)), stops.back(), 0.04) << shot; // it is rounded to levels
     }
     EXPECT_NEAR(spreadOf(stops).mean, 0, 0.1);
     EXPECT_NEAR(spreadOf(stops).sigma, 0.5, 0.06);

@@ -55,6 +55,8 @@ struct DepthInput {
     LensPair lenses = {};
     /// What must not be copied from it into other photos. Depths are estimated from all of it.
     std::vector<survey::PrivateRegion> regions = {};
+    /// With them photos are about equally bright, as far as that is known beforehand; see scene::toldGains().
+    std::optional<scene::Gains> gains = {};
 };
 
 struct DepthReport {

@@ -77,6 +77,10 @@ struct PhotoMetadata {
 /// as jpeg::readInfo. Threads: any, also at a time.
 PhotoMetadata readMetadata(ByteView jpeg, std::string_view source);
 
+/// How much light the exposure let in, in stops: the logarithm to base 2 of seconds times ISO speed over the
+/// square of the f-number. It is nothing if the photo does not state all three, above 0.
+std::optional<double> exposureStops(const PhotoMetadata& metadata);
+
 /// True if the picture's vertical axis is gravity, so that its pose must not be applied again. The maker note
 /// decides; without it, a Theta that levels in the camera counts as level while its pose stays under half a
 /// degree, and a Theta S or SC does not. Any other camera counts as level if its pose says so.

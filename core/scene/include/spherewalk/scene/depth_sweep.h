@@ -8,6 +8,8 @@
 #include "spherewalk/geometry/rigid3.h"
 #include "spherewalk/render/scene_depth.h"
 
+#include <array>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -29,6 +31,10 @@ class PictureSizes {
     std::vector<RgbImage> m_pictures; ///< Each is half as wide as the one before.
 };
 
+/// What the values of a photo's red, green and blue are multiplied by. Values that follow a power of the
+/// light differ by a factor, whatever the exposure. Cameras compress bright ones, see render::exposedValue().
+using Gains = std::array<float, 3>;
+
 /// A photo with its pose: one whose depth is wanted, or a neighbour of it. Owner: the pictures must outlive
 /// it.
 struct PosedPicture {
@@ -36,6 +42,8 @@ struct PosedPicture {
     Rigid3 roomFromPhoto;
     LensPair lenses = {};
     const PictureSizes* sizes = nullptr; ///< Of the picture, if it serves many photos.
+    /// With them photos are about equally bright, as the camera's settings tell; see toldGains().
+    std::optional<Gains> gains = {};
 
     /// A picture of this width or a greater one, as far as there is one.
     const RgbImage& atLeast(int width) const { return sizes != nullptr ? sizes->atLeast(width) : *picture; }

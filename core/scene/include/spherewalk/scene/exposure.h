@@ -14,19 +14,23 @@
 
 namespace spherewalk::scene {
 
-/// What the values of a photo's red, green and blue are multiplied by. Values that follow a power of the
-/// light differ by a factor, whatever the exposure. Cameras compress bright ones, see render::exposedValue().
-using Gains = std::array<float, 3>;
+/// With them photos are about equally bright, as the camera's settings tell. A photo whose settings are not
+/// known has none. No photo has if all have the same settings: then something else makes photos differ.
+/// stops: see photo::exposureStops().
+std::vector<std::optional<Gains>> toldGains(std::span<const std::optional<double>> stops);
 
-/// The gains with which another photo is as bright as this one, without depths. The gain is the median of the
-/// factor over directions, since two photos of a room mostly show the same wall in a direction. Burnt and
-/// black pixels do not count. A gain that cannot be told from 1 is 1.
-Gains gainsTo(const PosedPicture& photo, const PosedPicture& other);
+/// The gains with which other photos are as bright as this one, without depths: what the camera's settings
+/// tell, or else the median of the factor over directions, since two photos of a room mostly show the same
+/// wall in a direction. Burnt and black pixels do not count. A gain that cannot be told from 1 is 1.
+std::vector<Gains> gainsTo(const PosedPicture& photo, std::span<const PosedPicture> others);
 
 /// The same over places that the photo shows, where it is about known how far away they are. Beside a wall
-/// that is nearer than the other photo, the same direction shows other things. inverseM: 1 / distance, of an
-/// equirectangular picture of any size.
-Gains gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM, const PosedPicture& other);
+/// that is nearer than the other photo, the same direction shows other things. If the settings of all photos
+/// are known, they count as well: the more, the more the factors of places differ, and the less, the more
+/// they contradict photos whose places agree. inverseM: 1 / distance, of an equirectangular picture of any
+/// size.
+std::vector<Gains> gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM,
+                           std::span<const PosedPicture> others);
 
 /// How the same places look in two photos.
 struct SharedLight {
@@ -36,12 +40,14 @@ struct SharedLight {
     /// For red, green and blue, where the other photo has values about 16 i + 8: the median of this one's
     /// values. It is negative where they share less than 30 places.
     std::array<std::array<float, kBins>, 3> values{};
+    double weight = 1; ///< How much the gains count among those of other photos.
 };
 
 /// How another photo shows the places that this one shows, as the depths of both tell. Gains are the median
 /// of the factor. Burnt and black pixels do not count, and bright ones only where the photos share less than
-/// a hundred darker places. It is nothing where they share less than a hundred places. Range: pictures and
-/// depths of any 2:1 sizes; pictures of about 256 pixels are enough.
+/// a hundred darker places. Where they share less than a hundred places, it is what the camera's settings
+/// tell, with little weight, or nothing. Range: pictures and depths of any 2:1 sizes; pictures of about 256
+/// pixels are enough.
 std::optional<SharedLight> sharedLight(const KnownPhoto& photo, const KnownPhoto& other);
 
 /// How much brighter one photo is than another.
