@@ -212,31 +212,38 @@ SharedLight toldLight(const PosedPicture& photo, const PosedPicture& other) {
     return light;
 }
 
+/// The middle of a bin's values that count.
+double middleOf(std::size_t bin) {
+    constexpr double kLevels = 256.0 / SharedLight::kBins;
+    const double first = kLevels * static_cast<double>(bin);
+    return 0.5 * (first + std::min<double>(first + kLevels, kBrightest));
+}
+
 /// How far values are apart that are made equally bright, and of how many that is.
-struct KneeError {
+struct CurveError {
     double sum = 0;
     int values = 0;
 
-    void add(const SharedLight& light, std::size_t channel, double gain, double knee) {
+    void add(const SharedLight& light, std::size_t channel, double gain, double rolloff) {
         for (std::size_t bin = 0; bin < SharedLight::kBins; ++bin) {
             const auto shown = static_cast<double>(light.values[channel][bin]);
-            const double value = 256.0 / SharedLight::kBins * (static_cast<double>(bin) + 0.5);
+            const double value = middleOf(bin);
             if (shown >= 0 && std::max(value, shown) > kBright) {
-                sum += std::min(std::abs(render::exposedValue(value, gain, knee) - shown), kMostError);
+                sum += std::min(std::abs(render::exposedValue(value, gain, rolloff) - shown), kMostError);
                 ++values;
             }
         }
     }
 };
 
-KneeError errorOf(double knee, std::span<const Gains> gains, std::span<const ExposureRatio> ratios) {
+CurveError errorOf(double rolloff, std::span<const Gains> gains, std::span<const ExposureRatio> ratios) {
     constexpr double kDifferent = 1.1;
-    KneeError error;
+    CurveError error;
     for (const ExposureRatio& ratio : ratios) {
         for (std::size_t c = 0; c < 3; ++c) {
             const auto gain = static_cast<double>(gains[ratio.other][c] / gains[ratio.photo][c]);
             if (gain > kDifferent || gain < 1 / kDifferent) {
-                error.add(ratio.light, c, gain, knee);
+                error.add(ratio.light, c, gain, rolloff);
             }
         }
     }
@@ -383,23 +390,23 @@ std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio
     return gains;
 }
 
-double highlightKnee(std::span<const Gains> gains, std::span<const ExposureRatio> ratios) {
-    constexpr double kWhite = 255;
-    constexpr double kLeast = 80;
-    constexpr double kStep = 5;
+double highlightRolloff(std::span<const Gains> gains, std::span<const ExposureRatio> ratios) {
+    constexpr int kSteps = 50;
+    constexpr double kMost = 0.5;
     constexpr int kFewestValues = 30;
     constexpr double kBetter = 0.9;
-    const KneeError straight = errorOf(kWhite, gains, ratios);
-    double knee = kWhite;
-    double least = kBetter * straight.sum;
-    for (double tried = kWhite - kStep; tried >= kLeast && straight.values >= kFewestValues; tried -= kStep) {
+    const CurveError cut = errorOf(0, gains, ratios);
+    double rolloff = 0;
+    double least = kBetter * cut.sum;
+    for (int step = 1; step <= kSteps && cut.values >= kFewestValues; ++step) {
+        const double tried = kMost * step / kSteps;
         const double error = errorOf(tried, gains, ratios).sum;
         if (error < least) {
             least = error;
-            knee = tried;
+            rolloff = tried;
         }
     }
-    return knee;
+    return rolloff;
 }
 
 } // namespace spherewalk::scene

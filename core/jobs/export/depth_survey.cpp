@@ -401,7 +401,7 @@ class DepthJob {
             }
         }
         result.gains = scene::commonGains(m_photos.size(), ratios);
-        result.highlightKnee = scene::highlightKnee(result.gains, ratios);
+        result.highlightRolloff = scene::highlightRolloff(result.gains, ratios);
     }
 
     void estimateScene(SurveyDepth& result) const {

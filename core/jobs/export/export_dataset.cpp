@@ -254,7 +254,7 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, con
         progress.warning(doubt);
     }
     contents.info.roomShape = report.roomShape;
-    contents.info.highlightKnee = found.highlightKnee;
+    contents.info.highlightRolloff = found.highlightRolloff;
     for (std::size_t i = 0; i < contents.photos.size() && !depth.onlyForScene; ++i) {
         contents.photos[i].depthFile = found.files[i];
         const scene::Gains& gains = found.gains[i];

@@ -35,27 +35,21 @@ double storedValue(double linear) {
     return linear <= kToe / kToeSlope ? linear * kToeSlope : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-double exposedValue(double value, double gain, double knee) {
+double exposedValue(double value, double gain, double rolloff) {
     constexpr double kWhite = 255;
-    const double least = std::min(1.0, gain) * knee; // from here on values are compressed, or were
-    if ((gain >= 1 ? gain * value : value) <= knee || knee >= kWhite) {
+    constexpr double kLeast = 0.01; // with less the curve's corner is within a level
+    if (rolloff < kLeast) {
         return std::min(kWhite, gain * value);
     }
-    // Between the knee and white, the brighter exposure's values are compressed from (knee, most).
-    const double most = kWhite * std::max(gain, 1 / gain);
-    const double power = (most - knee) / (kWhite - knee);
-    if (gain >= 1) {
-        const double share = (gain * value - knee) / (most - knee);
-        return kWhite - (kWhite - knee) * std::pow(std::max(0.0, 1 - share), power);
-    }
-    const double share = 1 - std::pow(std::max(0.0, kWhite - value) / (kWhite - knee), 1 / power);
-    return least + share * (kWhite - least);
+    const double power = 1 / rolloff;
+    const double share = value / kWhite;
+    return gain * value / std::pow(1 - std::pow(share, power) + std::pow(gain * share, power), rolloff);
 }
 
-std::array<std::uint8_t, 256> exposedValues(double gain, double knee) {
+std::array<std::uint8_t, 256> exposedValues(double gain, double rolloff) {
     std::array<std::uint8_t, 256> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = static_cast<std::uint8_t>(exposedValue(static_cast<double>(i), gain, knee) + 0.5);
+        values[i] = static_cast<std::uint8_t>(exposedValue(static_cast<double>(i), gain, rolloff) + 0.5);
     }
     return values;
 }

@@ -402,7 +402,7 @@ Json toJson(const DatasetInfo& info) {
         {"room",
          {{"outline_m", listOf(info.outline)}, {"obstacles_m", obstacles}, {"ceiling_m", info.ceilingM}}},
         {"grid", {{"step_m", info.stepM}}},
-        {"highlight_knee", info.highlightKnee},
+        {"highlight_rolloff", info.highlightRolloff},
         {"scene_models", models},
         {"choice", info.choice ? toJson(*info.choice) : Json()},
         {"colour_correction", info.colour ? toJson(*info.colour) : Json()},
@@ -421,7 +421,7 @@ DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
     info.madeBy = root.string("made_by");
     info.surveyId = root.string("survey_id");
     readRoom(root.member("room"), info);
-    info.highlightKnee = numberOr(255, root, "highlight_knee", 0, 255);
+    info.highlightRolloff = numberOr(0, root, "highlight_rolloff", 0, 0.5);
     info.stepM = boundedNumber(root.member("grid").member("step_m"), 0, kFarthestM);
     readSceneModels(root.member("scene_models"), info);
     if (!root.isAbsent("choice")) {

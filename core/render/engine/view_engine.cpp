@@ -283,7 +283,7 @@ ViewEngine::DrawnSurfaces ViewEngine::drawSurfaces(const ViewRequest& request, c
         photos.push_back(
             {photo, m_surfaces.get(*plan.surface, photo), roomFromPhoto(photo), m_store.grid(level)});
         photos.back().lenses = m_dataset->info().photos[photo].lenses;
-        photos.back().highlightKnee = m_dataset->info().highlightKnee;
+        photos.back().highlightRolloff = m_dataset->info().highlightRolloff;
         photos.back().gain = exposureGain(photo).cwiseQuotient(exposureGain(photos.front().photo));
     }
     const std::vector<TileSet> needs =

@@ -76,7 +76,7 @@ SurfaceView::Drawn::Drawn(const SurfacePhoto& photo) : mesh(photo.mesh), size(ph
         return;
     }
     for (int channel = 0; channel < 3; ++channel) {
-        const auto values = exposedValues(photo.gain[channel], photo.highlightKnee);
+        const auto values = exposedValues(photo.gain[channel], photo.highlightRolloff);
         levels.insert(levels.end(), values.begin(), values.end());
     }
 }

@@ -31,7 +31,7 @@ struct SurfacePhoto {
     /// The gains with which its red, green and blue are as bright as the view's first photo.
     Eigen::Vector3d gain = Eigen::Vector3d::Ones();
     LensPair lenses = {};
-    double highlightKnee = 255; ///< See exposedValue().
+    double highlightRolloff = 0; ///< See exposedValue().
 };
 
 /// The surfaces of a dataset's photos, for the scene models that have some. The last ones used are kept.

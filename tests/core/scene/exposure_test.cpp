@@ -149,17 +149,17 @@ TEST(ExposureBySurfaces, IsWhatTheSettingsTellWhereNothingIsShared) {
     EXPECT_NEAR(gains[1][0] / gains[0][0], std::exp((20 * std::log(1.2) + std::log(1.5)) / 21), 1e-5);
 }
 
-// Four photos as a camera develops them that compresses light from a knee on.
-TEST(HighlightKnee, IsFoundToTenLevelsAndIsWhiteWithoutOne) {
+// Four photos as a camera develops them whose values end softly at white.
+TEST(HighlightRolloff, IsFoundToThreeHundredthsAndIsNoneWhereValuesAreCut) {
     const std::vector<float> exposures{0.7F, 1, 1.4F, 0.9F};
-    for (const double knee : {125.0, 150.0, 180.0, 255.0}) {
+    for (const double rolloff : {0.3, 0.2, 0.12, 0.0}) {
         std::vector<Known> photos;
         for (std::size_t i = 0; i < exposures.size(); ++i) {
             const auto step = static_cast<double>(i);
             Known& known = photos.emplace_back(2.0 + 0.3 * step, 1.6, 0.4 * step, Gains{1, 1, 1});
             for (std::uint8_t& value : known.picture.values()) {
                 value = static_cast<std::uint8_t>(
-                    render::exposedValue(value, static_cast<double>(exposures[i]), knee) + 0.5);
+                    render::exposedValue(value, static_cast<double>(exposures[i]), rolloff) + 0.5);
             }
         }
         std::vector<ExposureRatio> ratios;
@@ -173,10 +173,10 @@ TEST(HighlightKnee, IsFoundToTenLevelsAndIsWhiteWithoutOne) {
         }
         ASSERT_EQ(ratios.size(), 12U);
         const std::vector<Gains> gains = commonGains(photos.size(), ratios);
-        EXPECT_NEAR(gains[1][1] / gains[2][1], exposures[2] / exposures[1], 0.02) << knee;
-        EXPECT_NEAR(highlightKnee(gains, ratios), knee, 10) << knee;
+        EXPECT_NEAR(gains[1][1] / gains[2][1], exposures[2] / exposures[1], 0.03) << rolloff;
+        EXPECT_NEAR(highlightRolloff(gains, ratios), rolloff, 0.03) << rolloff;
     }
-    EXPECT_EQ(highlightKnee({}, {}), 255);
+    EXPECT_EQ(highlightRolloff({}, {}), 0);
 }
 
 TEST(ExposureBySurfaces, IsNotToldWithoutPlacesThatBothSee) {

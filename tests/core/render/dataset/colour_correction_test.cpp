@@ -72,30 +72,29 @@ TEST(ColourCorrection, ThatCorrectsNothingChangesNoValueOfAnyChannel) {
     EXPECT_EQ(corrected({}, camera, picture), picture);
 }
 
-TEST(ExposedValue, FollowsTheGainUpToTheKneeAndEndsAtWhite) {
-    for (const double knee : {0.0, 100.0, 150.0, 254.0, 255.0}) {
+TEST(ExposedValue, FollowsTheGainWhereItIsDarkAndEndsAtWhite) {
+    for (const double rolloff : {0.0, 0.001, 0.02, 0.15, 0.3, 0.5}) {
         for (const double gain : {0.05, 0.7, 0.999, 1.0, 1.001, 1.4, 20.0}) {
-            const double straightTo = knee / std::max(1.0, gain);
             double before = -1;
             for (int value = 0; value <= 255; ++value) {
-                const double exposed = exposedValue(value, gain, knee);
-                EXPECT_GE(exposed, before) << knee << " " << gain << " " << value;
-                EXPECT_LE(exposed, 255);
-                if (value <= straightTo) {
-                    EXPECT_NEAR(exposed, std::min(255.0, gain * value), 1e-9);
+                const double exposed = exposedValue(value, gain, rolloff);
+                EXPECT_GE(exposed, before - 1e-9) << rolloff << " " << gain << " " << value;
+                EXPECT_LE(exposed, 255 + 1e-9);
+                EXPECT_LE(std::abs(std::log((exposed + 1e-9) / (value + 1e-9))),
+                          std::abs(std::log(gain)) + 1e-6);
+                if (value * std::max(1.0, gain) < 64 && rolloff <= 0.15) {
+                    EXPECT_NEAR(exposed, gain * value, 1e-3 * gain * value);
                 }
-                if (knee <= 150 && std::abs(std::log(gain)) < 1) { // else all light is in one level
-                    EXPECT_NEAR(exposedValue(exposed, 1 / gain, knee), value, 1e-6);
+                if (rolloff >= 0.15 && std::abs(std::log(gain)) < 1) { // else all light is in one level
+                    EXPECT_NEAR(exposedValue(exposed, 1 / gain, rolloff), value, 1e-6);
+                    // What two changes of exposure make of it, one of both makes of it.
+                    EXPECT_NEAR(exposedValue(exposed, 1.3, rolloff), exposedValue(value, 1.3 * gain, rolloff),
+                                1e-6);
                 }
                 before = exposed;
             }
-            EXPECT_NEAR(exposedValue(255, gain, knee), knee < 255 || gain >= 1 ? 255 : 255 * gain, 1e-9);
-            if (knee <= 150) {
-                EXPECT_NEAR(exposedValue(straightTo + 1e-4, gain, knee) -
-                                exposedValue(straightTo, gain, knee),
-                            gain * 1e-4, 2e-5 * gain)
-                    << "no corner at the knee";
-            }
+            EXPECT_NEAR(exposedValue(255, gain, rolloff), rolloff >= 0.01 ? 255 : std::min(255.0, 255 * gain),
+                        1e-9);
         }
     }
 }

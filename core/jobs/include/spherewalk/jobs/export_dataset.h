@@ -73,7 +73,7 @@ struct SurveyDepth {
     /// What each photo's darker values are multiplied by to be as bright as the others. It is empty if depths
     /// are wanted for radius and room alone.
     std::vector<scene::Gains> gains;
-    double highlightKnee = 255;            ///< The value from which on the camera compresses light.
+    double highlightRolloff = 0;           ///< How softly values end at white, see render::exposedValue().
     std::optional<double> radiusM;         ///< Radius of the sphere that stands best for the depths.
     std::optional<scene::FittedRoom> room; ///< The room that scene::fittedRoom() finds in the depths.
     DepthReport report;

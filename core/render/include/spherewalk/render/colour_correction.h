@@ -52,15 +52,15 @@ double linearLight(double stored);
 /// The value in [0, 1] that sRGB stores for this light. It undoes linearLight().
 double storedValue(double linear);
 
-/// What a camera would store in place of a value at an exposure that multiplies its darker values by `gain`.
-/// Pictures follow a power of the light up to the knee. Above, cameras compress it, so that white stays
-/// white: the curve leaves the straight line at the knee without a corner, and reaches white level. With a
-/// knee of 255 values are cut there. A gain below 1 undoes its inverse. Range: value and knee from 0 to 255,
-/// gain above 0.
-double exposedValue(double value, double gain, double knee);
+/// What a camera would store in place of a value at another exposure, which multiplies dark values by `gain`.
+/// Values follow a power of the light, v = 255 L, only where they are dark. Brighter ones end softly at
+/// white: v = 255 L / (1 + L^p)^(1/p), p = 1 / rolloff. With a roll-off of 0 they are cut there. White stays
+/// white, as nobody knows how much light it was. Range: value from 0 to 255, gain above 0, rolloff from 0 to
+/// 0.5. Errors: rounding; gains g and 1/g undo each other. Source: generalised from Reinhard 2002.
+double exposedValue(double value, double gain, double rolloff);
 
 /// exposedValue() of the values 0 to 255, rounded.
-std::array<std::uint8_t, 256> exposedValues(double gain, double knee);
+std::array<std::uint8_t, 256> exposedValues(double gain, double rolloff);
 
 /// The correction as dataset.json holds it.
 Json toJson(const ColourCorrection& correction);

@@ -62,9 +62,9 @@ struct ExposureRatio {
 /// are. Range: gains above 0.
 std::vector<Gains> commonGains(std::size_t photos, std::span<const ExposureRatio> ratios);
 
-/// The value from which on the camera compresses light: with it, gains make the photos' values most alike, in
-/// steps of 5 from 80 to 255. It is 255 where that is hardly better, or where too few photos differ in
-/// brightness. gains: those of commonGains().
-double highlightKnee(std::span<const Gains> gains, std::span<const ExposureRatio> ratios);
+/// How softly the camera's values end at white, see render::exposedValue(): with it, gains make the photos'
+/// values most alike, in steps of 0.01 up to 0.5. It is 0 where that is hardly better, or where too few
+/// photos differ in brightness. gains: those of commonGains().
+double highlightRolloff(std::span<const Gains> gains, std::span<const ExposureRatio> ratios);
 
 } // namespace spherewalk::scene
