@@ -39,17 +39,6 @@ constexpr double kFurnitureErrorM = 0.004;
 constexpr double kVoxelsACell = 2;    ///< of furniture; the fused surface is rougher than a voxel
 constexpr double kLeastPartM2 = 0.01; ///< smaller parts that hang in the air are mistakes of single photos
 
-/// Makes a photo as bright as the others.
-void expose(RgbImage& picture, const Eigen::Vector3d& gain, double rolloff) {
-    const std::array tables = {render::exposedValues(gain[0], rolloff),
-                               render::exposedValues(gain[1], rolloff),
-                               render::exposedValues(gain[2], rolloff)};
-    const std::span<std::uint8_t> values = picture.values();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = tables[i % 3][values[i]];
-    }
-}
-
 class PlaceExport {
   public:
     PlaceExport(const fs::path& dataset, const PlaceOptions& options, const std::stop_token& stop)
@@ -165,8 +154,8 @@ class PlaceExport {
             const render::DatasetPhoto& photo = photos()[m_withDepth[i]];
             RgbImage picture =
                 jpeg::decodeAtLeast(m_dataset.readPhoto(m_withDepth[i]), photo.file, m_depths[i].width());
-            expose(picture, photo.exposureGain.value_or(Eigen::Vector3d::Ones()),
-                   m_dataset.info().highlightRolloff);
+            render::expose(picture, photo.exposureGain.value_or(Eigen::Vector3d::Ones()),
+                           m_dataset.info().highlightRolloff);
             painter.add(m_depths[i], picture, m_options.fusion.threads);
             progress.progress(static_cast<double>(i + 1) / static_cast<double>(m_depths.size()),
                               text("Painting surfaces, photo ", i + 1, " of ", m_depths.size()));

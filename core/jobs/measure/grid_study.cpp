@@ -227,7 +227,8 @@ class Study {
         Comparisons known = cache.read(key);
         const Rigid3 pose = levelPose(photos()[view.photo], view.turn);
         const auto truth = [&] {
-            return TruePicture{pose, truthFromPhoto(m_renderer, m_camera, pose), {}, {}};
+            return TruePicture{
+                pose, truthFromPhoto(m_renderer, m_camera, pose), {}, {}, photos()[view.photo].exposureGain};
         };
         if (compareMissing(scenes, m_sampling, truth, from, m_camera, m_stop, known)) {
             cache.write(key, known);

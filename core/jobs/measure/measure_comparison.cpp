@@ -11,6 +11,7 @@
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/looks.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/colour_correction.h"
 #include "spherewalk/render/renderer.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kComparisonMethod = 6; ///< grows when the same dataset and picture give other comparisons
+constexpr int kComparisonMethod = 7; ///< grows when the same dataset and picture give other comparisons
 constexpr std::uint64_t kLargestCacheFile = 64ULL << 20;
 constexpr int kMostHundredths = PlaceErrors::kMostHundredths;
 constexpr int kMostMillimetres = 10'000'000;
@@ -125,7 +126,13 @@ render::View viewOf(const TruePicture& truth, const render::Renderer& renderer, 
     wanted.threads = 1; // pictures are compared beside each other
     wanted.without = truth.without;
     wanted.wantsDepth = !truth.depth.empty();
-    return renderer.render(camera, truth.roomFromCamera, wanted);
+    render::View view = renderer.render(camera, truth.roomFromCamera, wanted);
+    const render::DatasetInfo& info = renderer.dataset().info();
+    const auto& gain = info.photos[view.report.photo].exposureGain;
+    if (gain && truth.exposureGain) {
+        render::expose(view.picture, gain->cwiseQuotient(*truth.exposureGain), info.highlightRolloff);
+    }
+    return view;
 }
 
 namespace {
@@ -343,7 +350,8 @@ TruePictures leftOutTruePictures(const MeasureOptions& options, const render::Re
     const auto get = [=, &renderer, &camera](std::size_t i) {
         const TruePictures::Place at = place(i);
         return TruePicture{at.roomFromCamera, truthFromPhoto(renderer, camera, at.roomFromCamera),
-                           depthFromPhoto(renderer, *at.without, camera, at.roomFromCamera), at.without};
+                           depthFromPhoto(renderer, *at.without, camera, at.roomFromCamera), at.without,
+                           photos[*at.without].exposureGain};
     };
     const auto key = [=](std::size_t i) {
         return text("left out ", views[i].photo, " ", step * static_cast<double>(views[i].direction));

@@ -23,6 +23,8 @@ struct TruePicture {
     RgbImage picture;
     DepthImage depth;                   ///< Metres along the axis; empty if not known.
     std::optional<std::size_t> without; ///< Photo that views must not use, by its index.
+    /// DatasetPhoto::exposureGain of the photo that it is made of. Views are compared as bright as that.
+    std::optional<Eigen::Vector3d> exposureGain = {};
 };
 
 /// True pictures that are made one at a time, because they are large. Threads: any.

@@ -54,6 +54,15 @@ std::array<std::uint8_t, 256> exposedValues(double gain, double rolloff) {
     return values;
 }
 
+void expose(RgbImage& picture, const Eigen::Vector3d& gains, double rolloff) {
+    const std::array tables = {exposedValues(gains[0], rolloff), exposedValues(gains[1], rolloff),
+                               exposedValues(gains[2], rolloff)};
+    const std::span<std::uint8_t> values = picture.values();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = tables[i % 3][values[i]];
+    }
+}
+
 void ColourCorrection::validate() const {
     if (!(matrix.array().abs() <= kMostMatrix).all()) { // NaN too
         throw Error(ErrorKind::InvalidInput,

@@ -9,8 +9,10 @@
 #include "spherewalk/jobs/measure_page.h"
 #include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/photo/picture_file.h"
+#include "spherewalk/render/colour_correction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace spherewalk::jobs {
@@ -73,6 +75,47 @@ TEST(MeasureDataset, RanksTheSceneModels) {
         EXPECT_GT(rung.renderMs, 0);
     }
     EXPECT_GT(report.rungs.back().bytes, report.rungs.front().bytes);
+}
+
+// Photos of automatic exposure are no worse for that.
+TEST(MeasureDataset, ComparesViewsAsBrightAsThePhotoThatIsLeftOut) {
+    constexpr std::array kExposures = {0.75, 1.0, 0.9, 0.7};
+    const PracticeDataset dark(2);
+    const std::filesystem::path file = dark.path() / render::kDatasetFile;
+    const auto report = [&] {
+        return measureDataset(dark.renderer(), PracticeDataset::camera(), quick(), noProgress(), {});
+    };
+    const MeasureReport even = report();
+    const auto measured = [&](bool areGainsKnown) {
+        Json json = parseJson(textOf(readFile(file)), "the dataset");
+        for (std::size_t i = 0; i < kExposures.size(); ++i) {
+            Json& photo = json["photos"][i];
+            const double gain = 1 / kExposures.at(i);
+            photo["exposure_gain"] = areGainsKnown ? Json({gain, gain, gain}) : Json();
+        }
+        writeFile(file, bytesOf(json.dump()));
+        return report();
+    };
+    Json json = parseJson(textOf(readFile(file)), "the dataset");
+    for (std::size_t i = 0; i < kExposures.size(); ++i) {
+        Json& photo = json["photos"][i];
+        const std::filesystem::path picture = dark.path() / photo["file"].get<std::string>();
+        RgbImage pixels = jpeg::decode(readFile(picture), "a photo");
+        render::expose(pixels, Eigen::Vector3d::Constant(kExposures.at(i)), 0);
+        const Bytes bytes = jpeg::encode(pixels, 95);
+        writeFile(picture, bytes);
+        photo["sha256"] = sha256Hex(bytes);
+        photo["size_bytes"] = bytes.size();
+    }
+    writeFile(file, bytesOf(json.dump()));
+    const MeasureReport unknown = measured(false);
+    const MeasureReport known = measured(true);
+    for (std::size_t i = 0; i < even.scenes.size(); ++i) {
+        const auto& looks = known.scenes[i].looks.mean;
+        EXPECT_GT(looks.ssim, unknown.scenes[i].looks.mean.ssim + 0.02) << i;
+        EXPECT_GT(looks.psnrDb, unknown.scenes[i].looks.mean.psnrDb + 2) << i;
+    }
+    EXPECT_NEAR(known.scenes[3].looks.mean.ssim, even.scenes[3].looks.mean.ssim, 0.02);
 }
 
 TEST(MeasureDataset, SaysHowMuchViewsChangeAtBorders) {

@@ -62,6 +62,9 @@ double exposedValue(double value, double gain, double rolloff);
 /// exposedValue() of the values 0 to 255, rounded.
 std::array<std::uint8_t, 256> exposedValues(double gain, double rolloff);
 
+/// Gives a picture another exposure, in its own memory. gains: of red, green and blue.
+void expose(RgbImage& picture, const Eigen::Vector3d& gains, double rolloff);
+
 /// The correction as dataset.json holds it.
 Json toJson(const ColourCorrection& correction);
 
