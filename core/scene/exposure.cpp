@@ -85,18 +85,23 @@ Gains toldGains(const PosedPicture& photo, const PosedPicture& other) {
     return gains;
 }
 
-/// How far off that is, one standard deviation of its logarithm: half of the photos are no farther off, by
-/// their weight.
-double sigmaOfTold(std::span<const Factors> factors, std::span<const Gains> told) {
+/// A factor of green by places, and by the camera's settings.
+struct ToldFactor {
+    Factor byPlaces;
+    float told = 1;
+};
+
+/// How far off the settings are, one standard deviation of the logarithm: half of the photos are no farther
+/// off, by their weight.
+double sigmaOfTold(std::span<const ToldFactor> factors) {
     constexpr double kLeast = 0.15; ///< Cameras round what they state, and find the tone by the picture.
     constexpr double kSigmaPerMedian = 1.5;
     std::vector<std::pair<double, double>> errors; // and their weights
     double all = 0;
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        const Factor& green = factors[i][1];
-        if (green.isKnown) {
-            errors.emplace_back(std::abs(green.log - std::log(static_cast<double>(told[i][1]))),
-                                1 / (sigmaOf(green) * sigmaOf(green)));
+    for (const auto& [byPlaces, told] : factors) {
+        if (byPlaces.isKnown) {
+            errors.emplace_back(std::abs(byPlaces.log - std::log(static_cast<double>(told))),
+                                1 / (sigmaOf(byPlaces) * sigmaOf(byPlaces)));
             all += errors.back().second;
         }
     }
@@ -316,19 +321,18 @@ std::vector<Gains> gainsTo(const PosedPicture& photo, std::span<const PosedPictu
 std::vector<Gains> gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM,
                            std::span<const PosedPicture> others) {
     std::vector<Factors> factors;
-    std::vector<Gains> gains;
-    bool areAllTold = true;
+    std::vector<ToldFactor> told;
     for (const PosedPicture& other : others) {
         factors.push_back(factorsTo(photo, inverseM, other));
-        gains.push_back(areTold(photo, other) ? toldGains(photo, other)
-                                              : gainsOf(factors.back(), kPatchesOfPlaces));
-        areAllTold = areAllTold && areTold(photo, other);
-    }
-    if (areAllTold) {
-        const double sigma = sigmaOfTold(factors, gains);
-        for (std::size_t i = 0; i < gains.size(); ++i) {
-            gains[i] = meanOf(factors[i], gains[i], sigma);
+        if (areTold(photo, other)) {
+            told.push_back({factors.back()[1], toldGains(photo, other)[1]});
         }
+    }
+    const double sigma = sigmaOfTold(told);
+    std::vector<Gains> gains;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        gains.push_back(areTold(photo, others[i]) ? meanOf(factors[i], toldGains(photo, others[i]), sigma)
+                                                  : gainsOf(factors[i], kPatchesOfPlaces));
     }
     return gains;
 }

@@ -130,6 +130,19 @@ TEST(ExposureByDistances, FollowsTheSettingsWherePlacesDiffer) {
     EXPECT_LT(off(beside.picture, Gains{1, 1, 1}), 0.05); // where places agree, wrong settings do little
 }
 
+TEST(ExposureByDistances, FollowsPlacesAlsoBesideAPhotoWhoseSettingsAreNotKnown) {
+    const Gains darker{0.5F, 0.5F, 0.5F};
+    const Known one(2.0, 1.6, 0.4, {1, 1, 1});
+    const Known beside(2.8, 2.2, -0.9, darker);
+    PosedPicture photo = one.photo().photo;
+    photo.gains = Gains{1, 1, 1};
+    std::vector<PosedPicture> others(2, beside.photo().photo);
+    others[0].gains = Gains{1.5F, 1.5F, 1.5F};
+    for (const Gains& gains : gainsTo(photo, one.depth.inverseM, others)) {
+        EXPECT_NEAR(gains[1] * darker[1], 1, 0.03);
+    }
+}
+
 TEST(ExposureBySurfaces, IsWhatTheSettingsTellWhereNothingIsShared) {
     Known one(2.0, 1.6, 0.4, {1, 1, 1});
     const Known other(2.8, 2.2, -0.9, {1, 1, 1});

@@ -25,10 +25,10 @@ std::vector<std::optional<Gains>> toldGains(std::span<const std::optional<double
 std::vector<Gains> gainsTo(const PosedPicture& photo, std::span<const PosedPicture> others);
 
 /// The same over places that the photo shows, where it is about known how far away they are. Beside a wall
-/// that is nearer than the other photo, the same direction shows other things. If the settings of all photos
-/// are known, they count as well: the more, the more the factors of places differ, and the less, the more
-/// they contradict photos whose places agree. inverseM: 1 / distance, of an equirectangular picture of any
-/// size.
+/// that is nearer than the other photo, the same direction shows other things. Where the settings of both
+/// photos are known, they count as well: the more, the more the factors of places differ, and the less, the
+/// more they contradict photos whose places agree. inverseM: 1 / distance, of an equirectangular picture of
+/// any size.
 std::vector<Gains> gainsTo(const PosedPicture& photo, const Image<float, 1>& inverseM,
                            std::span<const PosedPicture> others);
 
