@@ -117,11 +117,11 @@ double sigmaOfTold(std::span<const ToldFactor> factors) {
 }
 
 /// The mean of both logarithms, by what they are worth.
-Gains meanOf(const Factors& factors, const Gains& told, double sigmaOfTold) {
+Gains meanOf(const Factors& factors, const Gains& told, double toldSigma) {
     Gains gains = told;
     for (std::size_t c = 0; c < 3; ++c) {
         if (factors[c].isKnown) {
-            const double share = 1 / (1 + std::pow(sigmaOf(factors[c]) / sigmaOfTold, 2));
+            const double share = 1 / (1 + std::pow(sigmaOf(factors[c]) / toldSigma, 2));
             const double log = std::log(static_cast<double>(told[c]));
             gains[c] = static_cast<float>(std::exp(log + share * (factors[c].log - log)));
         }

@@ -92,18 +92,24 @@ scene::CarriedThings carriedBy(const std::vector<DepthInput>& all, const std::fi
 
 } // namespace
 
-std::vector<DepthInput> depthInputs(std::span<const dataset::SourcePhoto> photos) {
-    std::vector<DepthInput> inputs;
+void tellGains(std::span<DepthInput> photos) {
     std::vector<std::optional<double>> stops;
-    for (const dataset::SourcePhoto& photo : photos) {
-        inputs.push_back(
-            {photo.file, photo.sha256, photo.entry.roomFromPhoto, photo.entry.lenses, photo.regions});
+    for (const DepthInput& photo : photos) {
         stops.push_back(photo::exposureStops(photo::readMetadata(readFile(photo.file), photo.file.string())));
     }
     const auto gains = scene::toldGains(stops);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        inputs[i].gains = gains[i];
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        photos[i].gains = gains[i];
     }
+}
+
+std::vector<DepthInput> depthInputs(std::span<const dataset::SourcePhoto> photos) {
+    std::vector<DepthInput> inputs;
+    for (const dataset::SourcePhoto& photo : photos) {
+        inputs.push_back(
+            {photo.file, photo.sha256, photo.entry.roomFromPhoto, photo.entry.lenses, photo.regions});
+    }
+    tellGains(inputs);
     return inputs;
 }
 

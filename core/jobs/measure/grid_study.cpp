@@ -207,12 +207,8 @@ class Study {
         for (const std::size_t photo : split.kept) {
             inputs.push_back({m_renderer.dataset().folder() / photos()[photo].file, photos()[photo].sha256,
                               photos()[photo].roomFromPhoto, photos()[photo].lenses});
-            if (const auto& gain = photos()[photo].exposureGain) {
-                inputs.back().gains =
-                    scene::Gains{static_cast<float>(gain->x()), static_cast<float>(gain->y()),
-                                 static_cast<float>(gain->z())};
-            }
         }
+        tellGains(inputs);
         DepthOptions depth;
         depth.cacheFolder = m_options.cacheFolder.empty() ? m_ownFolder.path() : m_options.cacheFolder;
         depth.drawn = {m_renderer.dataset().info().outline, m_renderer.dataset().info().ceilingM};

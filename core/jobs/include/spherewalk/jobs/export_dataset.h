@@ -55,9 +55,12 @@ struct DepthInput {
     LensPair lenses = {};
     /// What must not be copied from it into other photos. Depths are estimated from all of it.
     std::vector<survey::PrivateRegion> regions = {};
-    /// With them photos are about equally bright, as far as that is known beforehand; see scene::toldGains().
+    /// With them photos are about equally bright, as far as that is known beforehand; see tellGains().
     std::optional<scene::Gains> gains = {};
 };
+
+/// Finds the gains by the exposures that the photos' files state. Errors: those of reading the files.
+void tellGains(std::span<DepthInput> photos);
 
 struct DepthReport {
     std::size_t photos = 0; ///< Photos that have a depth.
