@@ -8,6 +8,108 @@
 #include <cstring>
 #include <vector>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "surface/blended_view.cpp"
+// The order matters here.
+// clang-format off
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+
+namespace spherewalk::render::simd::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Bytes = hn::CappedTag<std::uint8_t, kCell>;
+constexpr std::ptrdiff_t kRowBytes = std::ptrdiff_t{3} * kCell;
+
+void keepWithin(const std::uint8_t* colours, std::uint8_t* others) {
+    constexpr int kReach = 2;
+    constexpr std::ptrdiff_t kBeside = std::ptrdiff_t{3} * kReach;
+    const Bytes d;
+    const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
+    const auto all = hn::Set(d, std::uint8_t{255});
+    const auto margin = hn::Set(d, std::uint8_t{8}); // noise
+    std::array<std::uint8_t, kRowBytes + 2 * kBeside> low;
+    std::array<std::uint8_t, kRowBytes + 2 * kBeside> high;
+    const auto goOn = [](auto& row) {
+        for (std::size_t i = 0; i < kBeside; ++i) {
+            row[i] = row[kBeside + i % 3];
+            row[kBeside + kRowBytes + i] = row[kRowBytes + kBeside - 3 + i % 3];
+        }
+    };
+    for (int y = 0; y < kCell; ++y) {
+        for (std::ptrdiff_t i = 0; i < kRowBytes; i += lanes) {
+            auto least = hn::LoadU(d, colours + y * kRowBytes + i);
+            auto most = least;
+            for (int near = std::max(0, y - kReach); near <= std::min(kCell - 1, y + kReach); ++near) {
+                const auto beside = hn::LoadU(d, colours + near * kRowBytes + i);
+                least = hn::Min(least, beside);
+                most = hn::Max(most, beside);
+            }
+            hn::StoreU(least, d, low.data() + kBeside + i);
+            hn::StoreU(most, d, high.data() + kBeside + i);
+        }
+        goOn(low);
+        goOn(high);
+        std::uint8_t* row = others + y * kRowBytes;
+        for (std::ptrdiff_t i = 0; i < kRowBytes; i += lanes) {
+            auto least = hn::LoadU(d, low.data() + i);
+            auto most = hn::LoadU(d, high.data() + i);
+            for (std::ptrdiff_t beside = 3; beside <= 2 * kBeside; beside += 3) {
+                least = hn::Min(least, hn::LoadU(d, low.data() + i + beside));
+                most = hn::Max(most, hn::LoadU(d, high.data() + i + beside));
+            }
+            const auto within = hn::Max(hn::LoadU(d, row + i), hn::Sub(hn::Max(least, margin), margin));
+            hn::StoreU(hn::Min(within, hn::Add(hn::Min(most, hn::Sub(all, margin)), margin)), d, row + i);
+        }
+    }
+}
+
+void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours) {
+    using Words = hn::CappedTag<std::uint16_t, kCell>;
+    const Bytes d8;
+    const Words d;
+    const hn::Rebind<std::uint8_t, Words> half;
+    HWY_ALIGN std::array<std::uint8_t, kRowBytes> triples;
+    for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d8))) {
+        const auto share = hn::LoadU(d8, shares + x);
+        hn::StoreInterleaved3(share, share, share, d8, triples.data() + 3 * x);
+    }
+    const auto all = hn::Set(d, std::uint16_t{255});
+    for (std::ptrdiff_t k = 0; k < kRowBytes; k += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+        const auto share = hn::PromoteTo(d, hn::LoadU(half, triples.data() + k));
+        const auto first = hn::Mul(hn::PromoteTo(d, hn::LoadU(half, colours + k)), hn::Sub(all, share));
+        const auto second = hn::Mul(hn::PromoteTo(d, hn::LoadU(half, other + k)), share);
+        const auto sum = hn::Add(hn::Add(first, second), hn::Set(d, std::uint16_t{128}));
+        const auto mean = hn::ShiftRight<8>(hn::Add(sum, hn::ShiftRight<8>(sum)));
+        hn::StoreU(hn::DemoteTo(half, hn::BitCast(hn::RebindToSigned<Words>(), mean)), half, colours + k);
+    }
+}
+
+} // namespace spherewalk::render::simd::HWY_NAMESPACE
+
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace spherewalk::render::simd {
+
+HWY_EXPORT(keepWithin);
+HWY_EXPORT(mixColours);
+
+void keepWithin(const std::uint8_t* colours, std::uint8_t* others) {
+    HWY_DYNAMIC_DISPATCH(keepWithin)(colours, others);
+}
+
+void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours) {
+    HWY_DYNAMIC_DISPATCH(mixColours)(other, shares, colours);
+}
+
+} // namespace spherewalk::render::simd
+
 namespace spherewalk::render {
 
 namespace {
@@ -181,6 +283,20 @@ class Filler {
     int m_toRight = 0; ///< The known pixel that is next on the right of the last hole of this row.
 };
 
+/// The colours of a cell's pixels, row after row.
+using CellColours = std::array<std::uint8_t, std::size_t{3} * SurfaceCoordinates::kCellPixels>;
+
+/// Takes the colours that a view has in a cell. Beyond the view's edges the last ones go on.
+void copyCell(RgbImage& picture, int left, int top, int width, int height, CellColours& colours) {
+    for (int y = 0; y < kCell; ++y) {
+        std::uint8_t* row = colours.data() + std::ptrdiff_t{3} * kCell * y;
+        std::copy_n(picture.at(left, top + std::min(y, height - 1)), 3 * width, row);
+        for (int x = 3 * width; x < 3 * kCell; ++x) {
+            row[x] = row[x - 3];
+        }
+    }
+}
+
 } // namespace
 
 void fillSoftly(const MaskImage& known, const InverseBuffer& inverse, WorkerPool& pool, int threads,
@@ -242,8 +358,7 @@ void SurfaceView::look(const Drawn& drawn, const std::int32_t* u, const std::int
     }
 }
 
-/// Lets the rims of things count little in a cell. What shows only rims is not known. shares: those of the
-/// second photo.
+/// Lets the rims of things count little in a mixed cell. shares: those of the second photo.
 void SurfaceView::weighRims(const Cell& at, CellBytes& shares) {
     const std::size_t cell = m_coordinates.index(at.column, at.row);
     const std::size_t first = cell * SurfaceCoordinates::kCellPixels;
@@ -264,11 +379,8 @@ void SurfaceView::weighRims(const Cell& at, CellBytes& shares) {
             }
         }
     }
-    if ((sources & SurfaceCoordinates::kMixed) != 0) {
-        look(m_drawn[1], m_coordinates.mixedU.data() + first, m_coordinates.mixedV.data() + first, looked);
-    }
-    simd::weighShares(own.data(), looked.data(), static_cast<std::uint8_t>(Known::Nothing), m_known.width(),
-                      shares.data(), m_known.at(at.column * kCell, at.row * kCell));
+    look(m_drawn[1], m_coordinates.mixedU.data() + first, m_coordinates.mixedV.data() + first, looked);
+    simd::weighShares(own.data(), looked.data(), shares.data());
 }
 
 /// Mixes the second photo into a cell, whose first photo is sampled.
@@ -277,27 +389,22 @@ void SurfaceView::mix(const Cell& at, std::span<const PlaneView> planes, Samplin
     const std::uint32_t sources = m_coordinates.sources[m_coordinates.index(at.column, at.row)];
     const int left = at.column * kCell;
     const int top = at.row * kCell;
-    CellBytes shares{};
-    for (int y = 0; y < kCell && (sources & SurfaceCoordinates::kMixed) != 0; ++y) {
-        std::copy_n(m_coordinates.share.at(left, top + y), kCell, shares.begin() + y * kCell);
-    }
-    if ((sources & SurfaceCoordinates::kRims) != 0) {
-        weighRims(at, shares);
-    }
     if ((sources & SurfaceCoordinates::kMixed) != 0) {
+        CellBytes shares;
+        for (int y = 0; y < kCell; ++y) {
+            std::copy_n(m_coordinates.share.at(left, top + y), kCell, shares.begin() + y * kCell);
+        }
+        if ((sources & SurfaceCoordinates::kRims) != 0) {
+            weighRims(at, shares);
+        }
         sampleMixed(at, planes[1], sampling, space);
-        for (int y = 0; y < at.height; ++y) {
-            std::array<std::uint8_t, std::size_t{3} * kCell> row;
-            std::uint8_t* pixels = picture.at(left, top + y);
-            const bool isWhole = at.width == kCell;
-            if (!isWhole) {
-                std::copy_n(pixels, 3 * at.width, row.begin());
-            }
-            simd::mixColours(space.colours.data() + std::ptrdiff_t{3} * kCell * y,
-                             shares.data() + std::ptrdiff_t{kCell} * y, isWhole ? pixels : row.data());
-            if (!isWhole) {
-                std::copy_n(row.begin(), 3 * at.width, pixels);
-            }
+        CellColours colours;
+        copyCell(picture, left, top, at.width, at.height, colours);
+        simd::keepWithin(colours.data(), space.colours.data());
+        for (std::ptrdiff_t y = 0; y < at.height; ++y) {
+            std::uint8_t* row = colours.data() + 3 * kCell * y;
+            simd::mixColours(space.colours.data() + 3 * kCell * y, shares.data() + kCell * y, row);
+            std::copy_n(row, 3 * at.width, picture.at(left, top + static_cast<int>(y)));
         }
     }
     for (int y = 0; y < at.height && (sources & SurfaceCoordinates::kBlind) != 0; ++y) {
@@ -311,3 +418,5 @@ void SurfaceView::mix(const Cell& at, std::span<const PlaneView> planes, Samplin
 }
 
 } // namespace spherewalk::render
+
+#endif

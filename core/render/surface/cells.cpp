@@ -99,7 +99,7 @@ bool takeUnseen(const float* seen, std::ptrdiff_t pitch, std::uint8_t photo, flo
 Mixture mixDistances(const float* second, std::ptrdiff_t pitch, float perFirst, float* values,
                      std::uint8_t* sources, std::uint8_t* shares) {
     // Distances that differ by so much, as a share of 1 / s, are not of one thing.
-    constexpr float kOther = 0.06F;
+    constexpr float kOther = 0.1F;
     const F d;
     const I di;
     const hn::Rebind<std::uint8_t, I> d8;
@@ -190,49 +190,18 @@ void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::i
     }
 }
 
-void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t nothing,
-                 std::ptrdiff_t pitch, std::uint8_t* shares, std::uint8_t* known) {
+void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t* shares) {
     const F df;
     const I d;
     const hn::Rebind<std::uint8_t, I> d8;
     const VI all = hn::Set(d, 255);
-    const VI least = hn::Set(d, 2 * 255);
-    for (int y = 0; y < kCell; ++y) {
-        for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
-            const std::ptrdiff_t at = y * kCell + x;
-            const VI share = hn::PromoteTo(d, hn::LoadU(d8, shares + at));
-            const VI second = hn::Mul(share, hn::PromoteTo(d, hn::LoadU(d8, other + at)));
-            const VI first = hn::Mul(hn::Sub(all, share), hn::PromoteTo(d, hn::LoadU(d8, own + at)));
-            const VI total = hn::Add(first, second);
-            const V part = hn::ConvertTo(df, hn::Mul(all, second)) / hn::ConvertTo(df, hn::Max(total, least));
-            hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d, part + hn::Set(df, 0.5F))), d8, shares + at);
-            const VI before = hn::PromoteTo(d, hn::LoadU(d8, known + y * pitch + x));
-            const VI after = hn::IfThenElse(hn::Lt(total, least), hn::Set(d, nothing), before);
-            hn::StoreU(hn::DemoteTo(d8, after), d8, known + y * pitch + x);
-        }
-    }
-}
-
-void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours) {
-    using Bytes = hn::CappedTag<std::uint8_t, kCell>;
-    using Words = hn::CappedTag<std::uint16_t, kCell>;
-    const Bytes d8;
-    const Words d;
-    const hn::Rebind<std::uint8_t, Words> half;
-    constexpr std::ptrdiff_t kBytes = std::ptrdiff_t{3} * kCell;
-    HWY_ALIGN std::array<std::uint8_t, kBytes> triples;
-    for (std::ptrdiff_t x = 0; x < kCell; x += static_cast<std::ptrdiff_t>(hn::Lanes(d8))) {
-        const auto share = hn::LoadU(d8, shares + x);
-        hn::StoreInterleaved3(share, share, share, d8, triples.data() + 3 * x);
-    }
-    const auto all = hn::Set(d, std::uint16_t{255});
-    for (std::ptrdiff_t k = 0; k < kBytes; k += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
-        const auto share = hn::PromoteTo(d, hn::LoadU(half, triples.data() + k));
-        const auto first = hn::Mul(hn::PromoteTo(d, hn::LoadU(half, colours + k)), hn::Sub(all, share));
-        const auto second = hn::Mul(hn::PromoteTo(d, hn::LoadU(half, other + k)), share);
-        const auto sum = hn::Add(hn::Add(first, second), hn::Set(d, std::uint16_t{128}));
-        const auto mean = hn::ShiftRight<8>(hn::Add(sum, hn::ShiftRight<8>(sum)));
-        hn::StoreU(hn::DemoteTo(half, hn::BitCast(hn::RebindToSigned<Words>(), mean)), half, colours + k);
+    for (std::ptrdiff_t at = 0; at < kCell * kCell; at += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+        const VI share = hn::PromoteTo(d, hn::LoadU(d8, shares + at));
+        const VI second = hn::Mul(share, hn::PromoteTo(d, hn::LoadU(d8, other + at)));
+        const VI first = hn::Mul(hn::Sub(all, share), hn::PromoteTo(d, hn::LoadU(d8, own + at)));
+        const VI total = hn::Add(first, second);
+        const V part = hn::ConvertTo(df, hn::Mul(all, second)) / hn::ConvertTo(df, total);
+        hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d, part + hn::Set(df, 0.5F))), d8, shares + at);
     }
 }
 
@@ -312,7 +281,6 @@ HWY_EXPORT(mixDistances);
 HWY_EXPORT(placeRows);
 HWY_EXPORT(placeInMask);
 HWY_EXPORT(weighShares);
-HWY_EXPORT(mixColours);
 HWY_EXPORT(takeOwn);
 HWY_EXPORT(boxOfAll);
 HWY_EXPORT(boxOfPhoto);
@@ -345,13 +313,8 @@ void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::i
     HWY_DYNAMIC_DISPATCH(placeInMask)(placing, u, v, places);
 }
 
-void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t nothing,
-                 std::ptrdiff_t pitch, std::uint8_t* shares, std::uint8_t* known) {
-    HWY_DYNAMIC_DISPATCH(weighShares)(own, other, nothing, pitch, shares, known);
-}
-
-void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours) {
-    HWY_DYNAMIC_DISPATCH(mixColours)(other, shares, colours);
+void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t* shares) {
+    HWY_DYNAMIC_DISPATCH(weighShares)(own, other, shares);
 }
 
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,

@@ -123,14 +123,8 @@ void placeInMask(const MaskPlacing& placing, const std::int32_t* u, const std::i
                  std::int32_t* places);
 
 /// Weighs the colours of a cell's pixels. own, other: the colour weights of the photo of each pixel and of
-/// the second photo. shares: those of the second photo in 255 parts; they are weighted. known: it becomes
-/// `nothing` where the weights' mean is less than two. pitch: values from one row of `known` to the next.
-void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t nothing,
-                 std::ptrdiff_t pitch, std::uint8_t* shares, std::uint8_t* known);
-
-/// Mixes the colours of a row of sixteen pixels. other: colours of the second photo. shares: its share of
-/// each pixel in 255 parts.
-void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours);
+/// the second photo. Range: at least 1. shares: those of the second photo in 255 parts; they are weighted.
+void weighShares(const std::uint8_t* own, const std::uint8_t* other, std::uint8_t* shares);
 
 /// Takes coordinates of a cell's pixels where the pixels come from that photo. sources: 16 rows.
 void takeOwn(const std::int32_t* ownU, const std::int32_t* ownV, const std::uint8_t* sources,

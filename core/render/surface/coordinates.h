@@ -59,7 +59,7 @@ struct SurfaceCoordinates {
     std::vector<std::uint32_t> sources;
     static constexpr std::uint32_t kBlind = 1U << 31; ///< The lens sees nothing in some pixel.
     static constexpr std::uint32_t kMixed = 1U << 30; ///< The second photo has a share in some pixel.
-    static constexpr std::uint32_t kRims = 1U << 29;  ///< Some pixel may show the rim of a thing.
+    static constexpr std::uint32_t kRims = 1U << 29;  ///< In a mixed cell: some pixel may show a rim.
     static constexpr std::uint32_t kPhotos = kRims - 1;
 
     /// Whether coordinates in a photo are wanted for a cell.

@@ -94,10 +94,12 @@ SurfaceView::Cell SurfaceView::cell(int column, int row) const {
     return {column, row, std::min(kCell, m_width - column * kCell), std::min(kCell, m_height - row * kCell)};
 }
 
-/// Adds the tiles of a cell's pixels that come from a photo. Returns whether some may show a rim.
+/// Adds the tiles of a cell's pixels that come from a photo. Returns whether the cell is mixed and some may
+/// show a rim.
 bool SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles) const {
     const std::int32_t middle = tiles.grid().photo().width / 2 << kFractionBits;
     const std::size_t index = m_coordinates.index(at.column, at.row);
+    const bool isMixed = (m_coordinates.sources[index] & SurfaceCoordinates::kMixed) != 0;
     const std::int32_t* u = m_coordinates.u.data() + index * SurfaceCoordinates::kCellPixels;
     const std::int32_t* v = m_coordinates.v.data() + index * SurfaceCoordinates::kCellPixels;
     if (at.width == kCell && at.height == kCell) {
@@ -109,7 +111,7 @@ bool SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles)
         if (all[1] - all[0] < middle / 2) {
             const Box box{all[0], all[1], all[2], all[3]};
             box.addTo(tiles);
-            return m_mixes && box.hasRims(*m_drawn[source].mesh, m_drawn[source].size);
+            return isMixed && box.hasRims(*m_drawn[source].mesh, m_drawn[source].size);
         }
     }
     std::array<Box, 2> boxes; // pixels to either side of the seam have boxes of their own
@@ -122,7 +124,7 @@ bool SurfaceView::needOfCell(const Cell& at, std::size_t source, TileSet& tiles)
         }
     }
     addBothSides(boxes, tiles);
-    return m_mixes;
+    return isMixed;
 }
 
 /// Adds the tiles of a cell's pixels in which the second photo may have a share. Returns whether some may
@@ -190,8 +192,9 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
             continue; // the second photo is drawn in all of the view
         }
         if (isMixed) {
-            m_filledShare =
-                m_coordinates.mix(m_seen, static_cast<float>(firstOffset / offset), pool, threads) / pixels;
+            m_filledShare = m_coordinates.mix(m_seen, static_cast<float>(std::sqrt(firstOffset / offset)),
+                                              pool, threads) /
+                            pixels;
         } else if (i > 0) {
             m_coordinates.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
         }

@@ -89,10 +89,10 @@ class SurfaceRaster {
 /// picture. It keeps its memory from frame to frame. The bytes are the same for any number of threads.
 /// Threads: one at a time.
 ///
-/// A view that mixes takes the mean of the first two photos where their 1 / s differ by less than 6 %. They
-/// are mixed less the more they differ. Each photo counts by 1 / its squared distance from the camera, so the
-/// view at a photo is that photo. The rims of things count little, see colourWeights(). Holes and what only
-/// rims show are filled softly, see fillSoftly().
+/// A view that mixes takes the mean of the first two photos where their 1 / s differ by less than 10 %. They
+/// are mixed less the more they differ. Each photo counts by 1 / its distance from the camera, so the
+/// view at a photo is that photo. The second photo's colours stay near the first one's, see keepWithin(). The
+/// rims of things count little, see colourWeights(). Holes are filled softly, see fillSoftly().
 class SurfaceView {
   public:
     explicit SurfaceView(bool mixes = false) : m_mixes(mixes) {}
@@ -214,7 +214,7 @@ class SurfaceView {
 
 /// What is known of a pixel.
 enum class Known : std::uint8_t {
-    Nothing, ///< A hole, or the rim of a thing.
+    Nothing, ///< A hole.
     Seen,
     Outside, ///< The lens sees nothing there.
 };
@@ -227,3 +227,18 @@ void fillSoftly(const MaskImage& known, const InverseBuffer& inverse, WorkerPool
                 RgbImage& picture);
 
 } // namespace spherewalk::render
+
+/// Operations on the colours of mixed cells. They give the same bytes on every processor.
+namespace spherewalk::render::simd {
+
+/// Brings the second photo's colours of a cell within what the view's colours are up to two pixels away in
+/// the cell, and eight levels beyond. What is displaced in the second photo then does not double what the
+/// first one shows. colours, others: 16 rows of 16 pixels. Source: the clamping of a pixel's history in Karis
+/// 2014, "High-quality temporal supersampling".
+void keepWithin(const std::uint8_t* colours, std::uint8_t* others);
+
+/// Mixes the colours of a row of sixteen pixels. other: colours of the second photo. shares: its share of
+/// each pixel in 255 parts.
+void mixColours(const std::uint8_t* other, const std::uint8_t* shares, std::uint8_t* colours);
+
+} // namespace spherewalk::render::simd
