@@ -31,6 +31,7 @@ constexpr float kCertainOfPhoto = 0.4F;
 constexpr float kBareWeight = 0.004F; ///< Of a depth that is confirmed, but not evident.
 constexpr float kSureShare = 0.9F; ///< Of what lies about a bare depth, so much is confirmed if it is sure.
 constexpr float kLeastWeight = 0.05F; ///< From which a depth is kept as it was found.
+constexpr double kLargeSurface = 300; ///< Pixels of a surface that counts in full for what is continued.
 constexpr float kOnSurface = 0.03F; ///< Share of 1 / distance by which a depth may differ from the surface's.
 constexpr float kNearestM = 0.2F;
 constexpr float kFarthestM = 100;
@@ -125,15 +126,33 @@ Plane weights(const MaskImage& evident, const MaskImage& confirmed, const Plane&
     return result;
 }
 
-/// What is known in small surfaces only does not count.
-void dropSpecks(const Plane& inverseM, Plane& weight) {
+/// The values with a weight. The others are joined to nothing.
+Plane weighted(const Plane& inverseM, const Plane& weight) {
     Plane known = inverseM;
     for (std::size_t i = 0; i < weight.values().size(); ++i) {
-        known.values()[i] = weight.values()[i] > 0 ? inverseM.values()[i] : -1; // It is joined to nothing.
+        known.values()[i] = weight.values()[i] > 0 ? inverseM.values()[i] : -1;
     }
-    forEachSpeck(known, [&](const std::vector<std::size_t>& pixels) {
+    return known;
+}
+
+/// What is known in small surfaces only does not count.
+void dropSpecks(const Plane& inverseM, Plane& weight) {
+    forEachSpeck(weighted(inverseM, weight), [&](const std::vector<std::size_t>& pixels) {
         for (const std::size_t i : pixels) {
             weight.values()[i] = 0;
+        }
+    });
+}
+
+/// The smaller a surface is, the less it counts: a few pixels that are wrong then pull less of a wall along.
+void weighBySize(const Plane& inverseM, Plane& weight) {
+    const double scale = inverseM.width() / double{kUsualWidth};
+    const double large = kLargeSurface * scale * scale;
+    const Plane known = weighted(inverseM, weight);
+    Surfaces(known).forEach([&](const std::vector<std::size_t>& pixels) {
+        const auto share = static_cast<float>(std::min(1.0, static_cast<double>(pixels.size()) / large));
+        for (const std::size_t i : pixels) {
+            weight.values()[i] *= share;
         }
     });
 }
@@ -170,6 +189,7 @@ Plane continuedFromSure(const PhotoDepth& depth, const RgbImage& picture, const 
     for (std::size_t i = 0; i < weight.values().size(); ++i) {
         weight.values()[i] = depth.sure.values()[i] != 0 ? weight.values()[i] * weight.values()[i] : 0;
     }
+    weighBySize(depth.inverseM, weight);
     Plane result = completed(depth, weight, picture, base, threads);
     for (std::size_t i = 0; i < result.values().size(); ++i) {
         result.values()[i] = depth.sure.values()[i] != 0 ? depth.inverseM.values()[i] : result.values()[i];

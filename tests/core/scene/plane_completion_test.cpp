@@ -105,6 +105,25 @@ TEST(PlaneCompletion, EndsAtAnEdgeOfThePicture) {
     }
 }
 
+TEST(PlaneCompletion, IsPulledLittleByAStripOfFewPixels) {
+    const PartlyKnown room({1, 0, 0.1}, 25);
+    PhotoDepth depth{room.known(), MaskImage(kPartWidth, kPartWidth / 2)};
+    for (std::size_t i = 0; i < depth.sure.values().size(); ++i) {
+        depth.sure.values()[i] = room.weight.values()[i] > 0 ? 255 : 0;
+    }
+    constexpr int kMiddleX = kPartWidth / 2; // of what is not known
+    constexpr int kMiddleY = kPartWidth / 4 - 4;
+    for (int x = kMiddleX - 1; x < kMiddleX + 1; ++x) {
+        *depth.inverseM.at(x, kMiddleY) = 2 * *room.truth.at(x, kMiddleY);
+        *depth.sure.at(x, kMiddleY) = 255;
+    }
+    const Plane found = continuedFromSure(depth, room.picture, {}, 0);
+    EXPECT_EQ(*found.at(kMiddleX, kMiddleY), *depth.inverseM.at(kMiddleX, kMiddleY)); // it stays itself
+    for (const int y : {kMiddleY - 6, kMiddleY + 6}) {
+        EXPECT_NEAR(*found.at(kMiddleX, y) / *room.truth.at(kMiddleX, y), 1, 0.1) << y;
+    }
+}
+
 // A small piece of a wall that is seen aslant, as a plane, would soon be at the camera or behind it.
 TEST(PlaneCompletion, BecomesEvenFarFromWhatIsKnown) {
     Plane known(kPartWidth, kPartWidth / 2);
