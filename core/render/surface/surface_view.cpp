@@ -171,7 +171,7 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
                                                  std::span<const SurfacePhoto> photos, WorkerPool& pool,
                                                  int threads) {
     // Photos that are nearer to the camera than this count alike.
-    constexpr double kNearestM = 0.002;
+    constexpr double kNearestM = 2e-4;
     const CameraModel& camera = rays.camera();
     const double pixels = static_cast<double>(m_width) * m_height;
     std::vector<SourcePhoto> drawn;
