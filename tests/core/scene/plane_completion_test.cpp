@@ -3,6 +3,7 @@
 
 #include "spherewalk/geometry/equirect.h"
 #include "spherewalk/render/scene_depth.h"
+#include "spherewalk/scene/depth_sweep.h"
 
 #include <gtest/gtest.h>
 
