@@ -389,6 +389,18 @@ int OpenCells::update(const InverseBuffer& covered, WorkerPool& pool, int thread
     return std::accumulate(m_cells.begin(), m_cells.end(), 0);
 }
 
+void OpenCells::clear(int row, InverseBuffer& buffer) const {
+    if (isAllOpen()) {
+        std::fill_n(buffer.at(0, row * kCell), static_cast<std::ptrdiff_t>(buffer.width()) * kCell, 0.0F);
+        return;
+    }
+    for (int column = 0; column < buffer.width() / kCell; ++column) {
+        for (int y = 0; y < kCell && isOpen(column, row); ++y) {
+            std::fill_n(buffer.at(column * kCell, row * kCell + y), kCell, 0.0F);
+        }
+    }
+}
+
 bool OpenCells::anyIn(float left, float top, float right, float bottom) const {
     const auto part = [](float pixel, int count, int more) {
         const float inView = std::min(std::max(pixel * (1.0F / kSubCell), -1.0F), static_cast<float>(count));

@@ -42,6 +42,9 @@ class OpenCells {
         return m_cells[static_cast<std::size_t>(row * (m_width / kSubCells) + column)] > 0;
     }
 
+    /// Makes the open cells of a row zero. The others are not read.
+    void clear(int row, InverseBuffer& buffer) const;
+
     /// Whether an open sub-cell meets this part of the view. Units: pixels. Range: any.
     bool anyIn(float left, float top, float right, float bottom) const;
 

@@ -22,8 +22,8 @@ constexpr float kNearestM = 0.005F;               ///< Points that are nearer to
 /// Projects a photo's surface into a view. Threads: const functions may run on any number at a time.
 class SurfaceProjector {
   public:
-    /// camera: it must outlive the projector.
-    SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraModel& camera);
+    /// aheadM: where the photo's lens stands, as in LensPair. camera: it must outlive the projector.
+    SurfaceProjector(const Rigid3& cameraFromPhoto, double aheadM, const CameraModel& camera);
 
     /// Projects patches, and adds the quads. Range: there is room.
     void project(const simd::SurfacePatches& patches, simd::Quads& out) const;
@@ -67,9 +67,9 @@ class SurfaceProjector {
     std::array<Eigen::Vector3f, 5> m_sides;
 };
 
-SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, const CameraModel& camera)
+SurfaceProjector::SurfaceProjector(const Rigid3& cameraFromPhoto, double aheadM, const CameraModel& camera)
     : m_rotation(cameraFromPhoto.rotation.toRotationMatrix().cast<float>()),
-      m_translation(cameraFromPhoto.translation.cast<float>()),
+      m_translation((cameraFromPhoto * Eigen::Vector3d(aheadM, 0, 0)).cast<float>()),
       m_camera(camera),
       m_isPinhole(camera.intrinsics().lens == LensModel::Pinhole),
       m_leastCosine(leastCosine(camera)) {
@@ -102,12 +102,11 @@ float SurfaceProjector::leastCosine(const CameraModel& camera) {
         most = std::max(most, ray ? std::atan2(ray->head<2>().norm(), ray->z()) : kMostRad);
     };
     for (int i = 0; i <= kSteps; ++i) {
-        const double x = static_cast<double>(camera.width()) * i / kSteps - 0.5;
-        const double y = static_cast<double>(camera.height()) * i / kSteps - 0.5;
-        see(x, -0.5);
-        see(x, camera.height() - 0.5);
-        see(-0.5, y);
-        see(camera.width() - 0.5, y);
+        const double share = static_cast<double>(i) / kSteps;
+        for (const int side : {0, 1}) {
+            see(share * camera.width() - 0.5, side * camera.height() - 0.5);
+            see(side * camera.width() - 0.5, share * camera.height() - 0.5);
+        }
     }
     return static_cast<float>(std::cos(std::min(most + marginRad, kMostRad)));
 }
@@ -223,14 +222,6 @@ float SurfaceProjector::toleranceShare(const SurfaceMesh::Bound& bound) const {
 /// One for the photo's front lens and one for its back lens.
 using LensProjectors = std::array<SurfaceProjector, 2>;
 
-LensProjectors projectorsOf(const Rigid3& cameraFromPhoto, const LensPair& lenses,
-                            const CameraModel& camera) {
-    const auto moved = [&](double aheadM) {
-        return Rigid3{cameraFromPhoto.rotation, cameraFromPhoto * Eigen::Vector3d(aheadM, 0, 0)};
-    };
-    return {SurfaceProjector(moved(lenses.aheadM), camera), SurfaceProjector(moved(-lenses.aheadM), camera)};
-}
-
 /// The seam of the lenses is a border of blocks wherever the depth's width is a multiple of four blocks.
 const SurfaceProjector& projectorOf(const LensProjectors& lenses, const SurfaceMesh::Bound& block) {
     return lenses[block.centre.x() < 0 ? 1 : 0];
@@ -258,6 +249,7 @@ class SurfaceRaster::BlockCutter {
         m_toleranceOfBlock = m_tolerance * m_projector->toleranceShare(m_mesh.bound(blockX, blockY));
         const simd::SurfaceBlock part = m_detail->block();
         m_projector->project(part, m_part);
+        projectSeam(m_mesh.bound((blockX + 1) % m_mesh.blocksX(), blockY), part);
         simd::boxes(m_part, part.rows, m_boxes);
         m_endY = part.rows - 1;
         quad(SurfaceMesh::kLevels - 1, 0, 0);
@@ -282,6 +274,21 @@ class SurfaceRaster::BlockCutter {
     }
 
   private:
+    /// The block's last column is the next one's first. If the other lens sees it, the strip that neither
+    /// lens sees is closed between them.
+    void projectSeam(const SurfaceMesh::Bound& next, const simd::SurfaceBlock& part) {
+        const SurfaceProjector& other = projectorOf(m_projectors, next);
+        if (&other == m_projector) {
+            return;
+        }
+        other.project(part, m_seam);
+        for (std::size_t at = SurfaceMesh::kBlock; at < m_part.x.size(); at += ProjectedBlock::kPitch) {
+            m_part.x[at] = m_seam.x[at];
+            m_part.y[at] = m_seam.y[at];
+            m_part.value[at] = m_seam.value[at];
+        }
+    }
+
     /// Adds a quad of a level or its parts. x, y: its upper left vertex in the block.
     void quad(int level, int x, int y) {
         const int size = 1 << level;
@@ -382,6 +389,7 @@ class SurfaceRaster::BlockCutter {
     simd::Quads m_quads;                           ///< These are yet to be cut.
     EdgePatches::Range m_patches;                  ///< These are yet to be projected.
     ProjectedBlock m_part;
+    ProjectedBlock m_seam; ///< The same through the other lens.
     simd::BlockBoxes m_boxes;
 };
 
@@ -389,7 +397,8 @@ void SurfaceRaster::draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto,
                          const CameraModel& camera, const OpenCells& open, double tolerancePx,
                          WorkerPool& pool, int threads, InverseBuffer& out) {
     fit(out, camera.width(), camera.height());
-    const LensProjectors projectors = projectorsOf(cameraFromPhoto, lenses, camera);
+    const LensProjectors projectors{SurfaceProjector(cameraFromPhoto, lenses.aheadM, camera),
+                                    SurfaceProjector(cameraFromPhoto, -lenses.aheadM, camera)};
     const float tolerance =
         static_cast<float>(tolerancePx) /
         std::max({1e-6F, projectors[0].pixelsPerInverse(), projectors[1].pixelsPerInverse()});
@@ -422,7 +431,7 @@ void SurfaceRaster::draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto,
     pool.run(bands, threads, [&](int band, int) {
         const int begin = band * kCell;
         const int end = begin + kCell;
-        clear(band, open, out);
+        open.clear(band, out);
         for (int row = 0; row < mesh.blocksY(); ++row) {
             simd::draw(m_pieces[static_cast<std::size_t>(row * bands + band)], begin, end, out.at(0, 0),
                        out.width());
@@ -432,19 +441,6 @@ void SurfaceRaster::draw(const SurfaceMesh& mesh, const Rigid3& cameraFromPhoto,
             std::fill(out.at(0, y) + width, out.at(0, y) + out.width(), 1.0F); // beyond the view
         }
     });
-}
-
-/// Makes the open cells of a row zero. The others are not read.
-void SurfaceRaster::clear(int row, const OpenCells& open, InverseBuffer& out) {
-    if (open.isAllOpen()) {
-        std::fill_n(out.at(0, row * kCell), static_cast<std::ptrdiff_t>(out.width()) * kCell, 0.0F);
-        return;
-    }
-    for (int column = 0; column < out.width() / kCell; ++column) {
-        for (int y = 0; y < kCell && open.isOpen(column, row); ++y) {
-            std::fill_n(out.at(column * kCell, row * kCell + y), kCell, 0.0F);
-        }
-    }
 }
 
 } // namespace spherewalk::render

@@ -78,8 +78,6 @@ class SurfaceRaster {
   private:
     class BlockCutter;
 
-    static void clear(int row, const OpenCells& open, InverseBuffer& out);
-
     /// The pieces of each row of blocks, for each row of cells.
     std::vector<std::vector<simd::Piece>> m_pieces;
 };

@@ -195,7 +195,7 @@ TEST_P(EveryLens, ShowsTheRoomAsWellIfTheSphericalCameraHasTwoLenses) {
         for (const CameraModel& camera : {pinhole(57), pinhole(90), fisheye}) {
             const Likeness expected = likeness(plain, camera, pose, GetParam());
             const Likeness seen = likeness(room, camera, pose, GetParam());
-            // Neither lens sees the 3 cm between them, which are filled from beside.
+            // Neither lens sees the 3 cm between them, over which the surface goes on.
             EXPECT_GT(seen.psnrDb, looksAtSeam ? 44 : expected.psnrDb - 2);
             EXPECT_LT(seen.range95, 0.01);
             EXPECT_GT(seen.psnrDb, likeness(untold, camera, pose, GetParam()).psnrDb + 4);

@@ -117,6 +117,32 @@ TEST(SurfaceView, ShowsTheDepthOfTheRoomThatItWasGiven) {
     }
 }
 
+TEST(SurfaceView, ClosesTheStripBetweenTheTwoLensesOfASphericalCamera) {
+    const RoomShape room{{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, -1, 1.5};
+    for (const double aheadM : {0.005, -0.005, 0.02}) {
+        const LensPair lenses{aheadM};
+        Scene scene(std::make_shared<const SurfaceMesh>(roomDepth(room, {}, 512, lenses)));
+        scene.photo.lenses = lenses;
+        for (const double yaw : {1.3, -1.7}) { // to either side, where the seam is
+            for (const double pitch : {-0.9, 0.1, 0.8}) {
+                const Rigid3 pose = lookingFrom({0.3, 0.1, 0.1}, yaw, pitch);
+                scene.view(kCamera, pose);
+                EXPECT_EQ(scene.surfaceView.filledShare(), 0) << aheadM << ", " << yaw << ", " << pitch;
+                const PixelRays rays(kCamera, scene.pool);
+                const DepthImage depth = scene.surfaceView.depth(rays, scene.pool, 0);
+                for (int y = 0; y < depth.height(); y += 3) {
+                    for (int x = 0; x < depth.width(); ++x) {
+                        const Eigen::Vector3d ray = rays.ray(x, y);
+                        const double expected =
+                            ray.z() / inverseDistance(room, pose.translation, pose.rotation * ray);
+                        EXPECT_NEAR(*depth.at(x, y), expected, 0.04 * expected) << x << ", " << y;
+                    }
+                }
+            }
+        }
+    }
+}
+
 /// A fisheye of this field with its edge at the left and the right of the picture.
 CameraModel fisheye(double fieldDeg, const std::vector<double>& distortion) {
     CameraIntrinsics camera = CameraIntrinsics::pinhole(161, 121, 1.1);
