@@ -4,7 +4,6 @@
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/geometry/rotation.h"
-#include "spherewalk/geometry/rotation_vector.h"
 
 #include <Eigen/Dense>
 #include <opencv2/calib3d.hpp>

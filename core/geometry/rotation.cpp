@@ -3,7 +3,6 @@
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/text.h"
-#include "spherewalk/geometry/rotation_vector.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/scene/carried.h"
 
-#include "sweep_cost.h"
+#include "polar_map.h"
 
 #include "spherewalk/base/error.h"
 #include "spherewalk/base/statistics.h"
-#include "spherewalk/geometry/equirect.h"
-#include "spherewalk/render/scene_depth.h"
-#include "spherewalk/scene/exposure.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace spherewalk::scene {
@@ -24,96 +24,132 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kFewestPhotos = 6;
 constexpr std::size_t kMostPhotos = 24;
-constexpr double kLeastSpreadM = 0.1; ///< Of the photos across the line that they are nearest to.
-constexpr double kStepRad = 1.4 * kPi / 180;
-constexpr int kSteps = 78; ///< To 20 degrees above the horizon.
+constexpr double kLeastSpreadM = 0.1; ///< Of the photos along their line, and across it if they are in none.
+constexpr float kAcrossLine = 0.5F;   ///< The sine of the least angle between a line of photos and an edge.
+constexpr int kFirstStep = 6;         ///< Less is not worth a look.
+constexpr int kRoomBegins = 32;       ///< From this step on, photos of a room usually show other things,
+constexpr int kRoomEnds = 72;         ///< up to this one.
+constexpr int kEndOfChanges = 64;     ///< An operator's head is higher.
+constexpr int kEndInLine = 42;        ///< Farther up, lines on the floor are too fine to tell their way.
+constexpr float kLeastUsual = 0.05F;  ///< By which photos of a room differ at least.
 /// The least change of brightness from one step to the next that is an edge: of its logarithm.
 constexpr float kEdge = 0.04F;
-constexpr double kAgreeing = 0.7;   ///< Share of the photos that show a carried edge.
-constexpr float kDeviation = 0.5F;  ///< Share of the edge by which such a photo may differ.
-constexpr int kMostOfRoom = 4;      ///< Steps of the room's own edges that end what is carried.
-constexpr int kMostAlike = 11;      ///< Steps without any edge that end it.
-constexpr int kMostAlikeBelow = 32; ///< The same straight below the lens.
-constexpr float kSpread = 0.08F; ///< Of the logarithm of brightness, from which photos show different things.
-constexpr std::size_t kFewestAzimuths = 10; ///< With an edge; fewer come by chance.
+constexpr float kEdgeInLine = 0.12F; ///< The same where its way matters.
+constexpr double kAgreeing = 0.7;    ///< Share of the photos that show a carried edge.
+constexpr float kDeviation = 0.5F;   ///< Share of the edge by which such a photo may differ.
+constexpr float kAlike = 0.6F;       ///< Of how much photos differ usually; less is what they carry along.
+constexpr float kUnlike = 0.65F;
+constexpr float kChange = 0.25F;           ///< Of a colour's logarithm, that a border is seen by.
+constexpr int kThick = 3;                  ///< Steps over which such a change is seen.
+constexpr int kWobble = 2;                 ///< Steps by which a hand is elsewhere from photo to photo.
+constexpr double kFewestExact = 10;        ///< Azimuths with an edge; fewer come by chance.
+constexpr double kLeastShareChanged = 0.5; ///< The same of azimuths with a change, as a share.
 constexpr double kMarginRad = 2.1 * kPi / 180;
-constexpr double kFadeRad = 1.0 * kPi / 180;
-constexpr std::size_t kSmoothing = 2;      ///< Azimuths to either side that count.
-constexpr std::size_t kDent = 7;           ///< The same for dents, of which this is half the width.
-constexpr double kLeastShare = 0.001;      ///< Of the sphere; less is not worth a new picture.
-constexpr double kLowestWithoutWalls = 15; ///< Degrees below the horizon.
-constexpr std::size_t kColours = 3;        ///< Photos that give the colour of a place.
+constexpr std::size_t kSmoothing = 2; ///< Azimuths to either side that count.
+constexpr std::size_t kDent = 7;      ///< The same for dents, of which this is half the width.
+constexpr double kLeastShare = 0.001; ///< Of the sphere; less is not worth a new picture.
 
-/// The colour in a direction.
-Eigen::Vector3f colourAt(const RgbImage& picture, const Eigen::Vector3d& way) {
-    const Eigen::Vector2d at = pixel({picture.width(), picture.height()}, way);
-    Eigen::Vector3f colour;
-    sampleColour(picture, static_cast<float>(at.x() < 0 ? at.x() + picture.width() : at.x()),
-                 static_cast<float>(std::max(0.0, at.y())), colour.data());
-    return colour;
+using Map = PolarMap<float>;
+using Edges = PolarMap<std::uint8_t>;
+
+/// The tangents of the sphere away from straight down, and along the azimuth.
+std::array<Eigen::Vector3d, 2> tangents(int azimuth, int step) {
+    const double at = azimuthOf(azimuth);
+    return {fromBelow(at, (step + 0.5) * kPolarStepRad + kPi / 2),
+            Eigen::Vector3d(-std::sin(at), std::cos(at), 0)};
 }
 
-/// Slopes are of the logarithm, so that the exposure does not count.
-float logBrightness(const RgbImage& picture, const Eigen::Vector3d& way) {
-    return std::log(colourAt(picture, way).dot(Eigen::Vector3f(0.299F, 0.587F, 0.114F)) + 16);
+/// Brightness, and red and blue against green. They are logarithms, so that the exposure adds to them.
+Eigen::Vector3f logColour(const RgbImage& picture, const Eigen::Vector3d& way) {
+    constexpr float kTint = 2; // Tints differ less than brightness.
+    const Eigen::Vector3f colour = colourAt(picture, placeIn(picture, way));
+    const Eigen::Vector3f log = (colour.array() + 16).log();
+    return {std::log(colour.dot(Eigen::Vector3f(0.299F, 0.587F, 0.114F)) + 16), kTint * (log.x() - log.y()),
+            kTint * (log.z() - log.y())};
 }
 
-/// The direction at an angle from straight down.
-Eigen::Vector3d fromBelow(double azimuth, double angle) {
-    return {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), -std::cos(angle)};
-}
+/// What a photo shows from straight down up.
+struct Below {
+    explicit Below(const PosedPicture& photo, const Eigen::Vector3d& lineInRoom)
+        : line(photo.roomFromPhoto.rotation.conjugate() * lineInRoom) {
+        const RgbImage& picture = *photo.picture;
+        for (int azimuth = 0; azimuth < kAzimuths; ++azimuth) {
+            for (int step = 0; step < kPolarSteps; ++step) {
+                const Eigen::Vector3d way = wayOf(azimuth, step);
+                const Eigen::Vector3f seen = logColour(picture, way);
+                slope.at(azimuth, step) = slopeAt(picture, azimuth, step);
+                for (std::size_t i = 0; i < colour.size(); ++i) {
+                    colour[i].at(azimuth, step) = seen[static_cast<Eigen::Index>(i)];
+                }
+            }
+        }
+        const float exposure = colour[0].median(0, kStepsForExposure);
+        colour[0] = Map([&](int azimuth, int step) { return colour[0].at(azimuth, step) - exposure; });
+        change = Map([&](int azimuth, int step) { return changeAt(azimuth, step); });
+    }
 
-double azimuthOf(int index) {
-    return -kPi + 2 * kPi * (index + 0.5) / CarriedThings::kAzimuths;
-}
+    /// By the corners of a square, so that an edge keeps its way.
+    static Eigen::Vector2f slopeAt(const RgbImage& picture, int azimuth, int step) {
+        constexpr double kHalf = 0.75 * kPolarStepRad;
+        const Eigen::Vector3d way = wayOf(azimuth, step);
+        const auto [away, along] = tangents(azimuth, step);
+        Eigen::Vector2f slope = Eigen::Vector2f::Zero();
+        for (const int i : {-1, 1}) {
+            for (const int k : {-1, 1}) {
+                const float bright = logColour(picture, way + kHalf * (i * away + k * along)).x();
+                slope += bright / 2 * Eigen::Vector2f(static_cast<float>(i), static_cast<float>(k));
+            }
+        }
+        return slope;
+    }
 
-/// The change of brightness over a step away from straight down, and over one along the azimuth.
-Eigen::Vector2f slopes(const RgbImage& picture, double azimuth, double angle) {
-    const Eigen::Vector3d way = fromBelow(azimuth, angle);
-    const Eigen::Vector3d away = kStepRad / 2 * fromBelow(azimuth, angle + kPi / 2);
-    const Eigen::Vector3d along = kStepRad / 2 * Eigen::Vector3d(-std::sin(azimuth), std::cos(azimuth), 0);
-    return {logBrightness(picture, way + away) - logBrightness(picture, way - away),
-            logBrightness(picture, way + along) - logBrightness(picture, way - along)};
-}
+    /// How much the colour differs from three steps below to three steps above.
+    float changeAt(int azimuth, int step) const {
+        float most = 0;
+        for (const Map& map : colour) {
+            float sum = 0;
+            for (int i = -1; i <= 1; ++i) {
+                for (int k = 1; k <= 3; ++k) {
+                    sum += map.at(azimuth + i, std::min(step + k, kPolarSteps - 1)) -
+                           map.at(azimuth + i, std::max(step - k, 0));
+                }
+            }
+            most = std::max(most, std::abs(sum / 9));
+        }
+        return most;
+    }
 
-enum class Shown {
-    Alike,   ///< All photos show the same, without an edge.
-    Carried, ///< An edge at the same place in most photos.
-    Room,    ///< What differs from photo to photo.
+    static constexpr int kStepsForExposure = 10; ///< What is carried along is there.
+
+    Eigen::Vector3d line; ///< lineOf() in the photo's frame.
+    std::array<Map, 3> colour;
+    Map change;                      ///< See changeAt().
+    PolarMap<Eigen::Vector2f> slope; ///< Of brightness, away from straight down and along the azimuth.
 };
 
-/// How far up all photos are alike at an azimuth.
+/// How far up what is carried along reaches at an azimuth.
 struct Reach {
-    bool hasEdge = false; ///< Whether an edge is carried along.
     bool isKnown = false; ///< Whether it is known where the room begins.
     float angle = 0;
 };
 
-using Reaches = std::array<Reach, CarriedThings::kAzimuths>;
+using Reaches = std::array<Reach, kAzimuths>;
 
-/// The angles of all azimuths; all are 0 if hardly any edge is carried along. Where it is not known where the
-/// room begins, what is carried is taken to go on as it does beside.
-std::array<float, CarriedThings::kAzimuths> completed(const Reaches& reaches) {
-    constexpr auto kAll = static_cast<std::size_t>(CarriedThings::kAzimuths);
+/// The angles of all azimuths. Where it is not known where the room begins, what is carried is taken to reach
+/// as far as it does on that side where it is less. Range: at one azimuth it is known.
+std::array<float, kAzimuths> completed(const Reaches& reaches) {
+    constexpr auto kAll = static_cast<std::size_t>(kAzimuths);
     std::array<float, kAll> angles{};
-    const auto withEdge = static_cast<std::size_t>(
-        std::count_if(reaches.begin(), reaches.end(), [](const Reach& reach) { return reach.hasEdge; }));
-    if (withEdge < kFewestAzimuths) {
-        return angles;
-    }
     for (std::size_t i = 0; i < kAll; ++i) {
-        std::size_t before = 0;
-        std::size_t after = 0;
-        while (!reaches[(i + kAll - before) % kAll].isKnown) {
-            ++before;
+        std::size_t before = i;
+        std::size_t after = i;
+        while (!reaches[before].isKnown) {
+            before = (before + kAll - 1) % kAll;
         }
-        while (!reaches[(i + after) % kAll].isKnown) {
-            ++after;
+        while (!reaches[after].isKnown) {
+            after = (after + 1) % kAll;
         }
-        const float share =
-            before + after == 0 ? 0 : static_cast<float>(before) / static_cast<float>(before + after);
-        angles[i] = (1 - share) * reaches[(i + kAll - before) % kAll].angle +
-                    share * reaches[(i + after) % kAll].angle;
+        angles[i] = std::min(reaches[before].angle, reaches[after].angle);
     }
     return angles;
 }
@@ -121,86 +157,201 @@ std::array<float, CarriedThings::kAzimuths> completed(const Reaches& reaches) {
 /// Compares what photos show below.
 class Comparison {
   public:
-    explicit Comparison(std::vector<PosedPicture> photos)
-        : m_photos(std::move(photos)), m_brighter(m_photos.size()) {
-        std::vector<std::vector<float>> differences(m_photos.size());
-        for (int azimuth = 0; azimuth < CarriedThings::kAzimuths; azimuth += 4) {
-            for (int step = 0; step < kStepsForExposure; ++step) {
-                const std::vector<float> all =
-                    brightness(fromBelow(azimuthOf(azimuth), (step + 0.5) * kStepRad));
-                const float median = spherewalk::median(all);
-                for (std::size_t i = 0; i < all.size(); ++i) {
-                    differences[i].push_back(all[i] - median);
-                }
-            }
+    /// line: as lineOf() has it.
+    Comparison(const std::vector<PosedPicture>& photos, const Eigen::Vector3d& line)
+        : m_isInLine(!line.isZero()) {
+        for (const PosedPicture& photo : photos) {
+            m_photos.emplace_back(photo, line);
         }
-        for (std::size_t i = 0; i < m_photos.size(); ++i) {
-            m_brighter[i] = quantileInPlace(differences[i], 0.5);
-        }
+        m_unlike = unlikeness();
     }
 
-    /// How far what is carried along reaches.
-    Reach reach(double azimuth) const {
-        int last = -1; // the last step that is carried along
-        int firstOfRoom = 0;
-        int ofRoom = 0;
-        for (int step = 0; step < kSteps && ofRoom <= kMostOfRoom; ++step) {
-            if (step - last - 1 > (last < 0 ? kMostAlikeBelow : kMostAlike)) {
-                break;
-            }
-            const Shown shown = shownAt(azimuth, (step + 0.5) * kStepRad);
-            if (shown == Shown::Carried) {
-                last = step;
-                ofRoom = 0;
-            } else if (shown == Shown::Room) {
-                firstOfRoom = ofRoom == 0 ? step : firstOfRoom;
-                ++ofRoom;
-            }
+    /// The angle that what is carried along reaches to at each azimuth; nothing if there is none.
+    std::optional<std::array<float, kAzimuths>> reach() const {
+        const Borders exact =
+            borders(joined(Edges([&](int azimuth, int step) { return isCarried(azimuth, step); }), 1));
+        Borders changed = borders(joined(changes(0), kThick));
+        if (m_isInLine) {
+            changed.fill(-1); // Borders of the room that lie along the line stay in their place.
+        } else if (wobbles(exact, changed)) {
+            changed = borders(joined(changes(kWobble), kThick));
         }
-        // What is alike up to where the room begins may be carried along, too.
-        const bool endsAtRoom = ofRoom > kMostOfRoom;
-        const int end = endsAtRoom ? std::max(last + 1, firstOfRoom) : last + 1;
-        return {last >= 0, last >= 0 || endsAtRoom, static_cast<float>(end * kStepRad)};
+        const bool hasChanged = count(changed) >= kLeastShareChanged * kAzimuths;
+        if (count(exact) < kFewestExact && !hasChanged) {
+            return std::nullopt;
+        }
+        Reaches reaches;
+        for (std::size_t i = 0; i < reaches.size(); ++i) {
+            // Two steps beyond a border, a change is still seen.
+            const int edge = std::max(exact[i], hasChanged ? changed[i] - 2 : -1);
+            const int room = firstUnlike(static_cast<int>(i));
+            const int end = edge >= 0 ? edge + 1 : room;
+            reaches[i] = {edge >= 0 || room < 2 * kFirstStep, static_cast<float>(end * kPolarStepRad)};
+        }
+        return completed(reaches);
     }
 
   private:
-    static constexpr int kStepsForExposure = 10; ///< What is carried along is there.
-
-    std::vector<float> brightness(const Eigen::Vector3d& way) const {
-        std::vector<float> all;
-        for (std::size_t i = 0; i < m_photos.size(); ++i) {
-            all.push_back(logBrightness(*m_photos[i].picture, way) - m_brighter[i]);
-        }
-        return all;
+    /// By how much photos differ there, in parts of how much they differ in a room usually.
+    Map unlikeness() const {
+        const auto spread = [&](std::size_t i) {
+            return Map([&](int azimuth, int step) {
+                std::vector<float> all;
+                for (const Below& photo : m_photos) {
+                    all.push_back(photo.colour[i].at(azimuth, step));
+                }
+                return medianAndSpread(all).sigma;
+            });
+        };
+        const Map dark = spread(0);
+        const std::array<Map, 2> tints{spread(1), spread(2)};
+        const auto smooth = [](const Map& of) {
+            return Map([&](int azimuth, int step) {
+                float sum = 0;
+                for (int i = -1; i <= 1; ++i) {
+                    for (int k = -1; k <= 1; ++k) {
+                        sum += of.at(azimuth + i, std::clamp(step + k, 0, kPolarSteps - 1));
+                    }
+                }
+                return sum / 9;
+            });
+        };
+        const Map darkness = smooth(dark);
+        const Map tint = smooth(Map([&](int azimuth, int step) {
+            return std::hypot(tints[0].at(azimuth, step), tints[1].at(azimuth, step));
+        }));
+        const float usual = std::max(kLeastUsual, darkness.median(kRoomBegins, kRoomEnds));
+        const float usualTint = std::max(kLeastUsual, tint.median(kRoomBegins, kRoomEnds));
+        return Map([&](int azimuth, int step) {
+            return std::min(darkness.at(azimuth, step) / usual, tint.at(azimuth, step) / usualTint);
+        });
     }
 
-    Shown shownAt(double azimuth, double angle) const {
-        std::vector<Eigen::Vector2f> all;
-        std::array<std::vector<float>, 3> parts;
-        for (const PosedPicture& photo : m_photos) {
-            all.push_back(slopes(*photo.picture, azimuth, angle));
-            parts[0].push_back(all.back().x());
-            parts[1].push_back(all.back().y());
-            parts[2].push_back(all.back().norm());
+    /// The mean of unlikeness over some steps.
+    float unlikeOver(int azimuth, int begin, int end) const {
+        constexpr float kMost = 1.5F;
+        float sum = 0;
+        begin = std::max(0, begin);
+        end = std::min(kPolarSteps, end);
+        for (int step = begin; step < end; ++step) {
+            sum += std::min(kMost, m_unlike.at(azimuth, step));
+        }
+        return sum / static_cast<float>(std::max(1, end - begin));
+    }
+
+    /// Whether most photos show the same edge, which an edge of the room would not be.
+    bool isCarried(int azimuth, int step) const {
+        std::array<std::vector<float>, 3> parts; // the slope's, and how far the edge moves in a line
+        for (const Below& photo : m_photos) {
+            const Eigen::Vector2f& slope = photo.slope.at(azimuth, step);
+            parts[0].push_back(slope.x());
+            parts[1].push_back(slope.y());
         }
         const Eigen::Vector2f usual(quantileInPlace(parts[0], 0.5), quantileInPlace(parts[1], 0.5));
-        const auto alike = std::count_if(all.begin(), all.end(), [&](const Eigen::Vector2f& slope) {
-            return (slope - usual).norm() < kDeviation * usual.norm();
-        });
-        if (usual.norm() > kEdge &&
-            static_cast<double>(alike) >= kAgreeing * static_cast<double>(all.size())) {
-            return Shown::Carried;
+        std::size_t alike = 0;
+        const std::array<Eigen::Vector3d, 2> ways = tangents(azimuth, step);
+        for (const Below& photo : m_photos) {
+            const bool isAlike = (photo.slope.at(azimuth, step) - usual).norm() < kDeviation * usual.norm();
+            alike += isAlike ? 1 : 0;
+            parts[2].push_back(std::abs(usual.x() * static_cast<float>(photo.line.dot(ways[0])) +
+                                        usual.y() * static_cast<float>(photo.line.dot(ways[1]))));
         }
-        const float spread = medianAndSpread(brightness(fromBelow(azimuth, angle))).sigma;
-        return spread > kSpread || quantileInPlace(parts[2], 0.5) > kEdge ? Shown::Room : Shown::Alike;
+        return usual.norm() > (m_isInLine ? kEdgeInLine : kEdge) &&
+               static_cast<double>(alike) >= kAgreeing * static_cast<double>(m_photos.size()) &&
+               (!m_isInLine ||
+                (step < kEndInLine && quantileInPlace(parts[2], 0.5) > kAcrossLine * usual.norm())) &&
+               unlikeOver(azimuth, step - 4, step) < kAlike;
     }
 
-    std::vector<PosedPicture> m_photos;
-    std::vector<float> m_brighter; ///< By how much a photo is brighter than most: of the logarithm.
+    /// Where the colour of most photos changes, from what they carry along to what differs between them.
+    /// wobble: steps by which the border is elsewhere from photo to photo.
+    Edges changes(int wobble) const {
+        const Map share([&](int azimuth, int step) {
+            float count = 0;
+            for (const Below& photo : m_photos) {
+                float most = 0;
+                for (int k = std::max(0, step - wobble); k <= std::min(kPolarSteps - 1, step + wobble); ++k) {
+                    most = std::max(most, photo.change.at(azimuth, k));
+                }
+                count += most > kChange ? 1.0F : 0.0F;
+            }
+            return count / static_cast<float>(m_photos.size());
+        });
+        const float usual = share.median(kRoomBegins, kEndOfChanges);
+        const float least = std::max(static_cast<float>(kAgreeing), 0.5F + 0.5F * usual);
+        return Edges([&](int azimuth, int step) {
+            return step < kEndOfChanges && share.at(azimuth, step) >= least &&
+                   unlikeOver(azimuth, step - 6, step - 1) < kAlike &&
+                   unlikeOver(azimuth, step + 2, step + 8) > kUnlike;
+        });
+    }
+
+    /// The edges with others at two azimuths beside them at least. alone: how many may stand on each other.
+    static Edges joined(const Edges& edges, int thick) {
+        constexpr int kReach = 2;
+        return Edges([&](int azimuth, int step) {
+            int beside = 0;
+            int own = 0;
+            for (int i = -kReach; i <= kReach; ++i) {
+                int count = 0;
+                for (int k = std::max(0, step - kReach); k <= std::min(kPolarSteps - 1, step + kReach); ++k) {
+                    count += edges.at(azimuth + i, k) != 0 ? 1 : 0;
+                }
+                beside += count > 0 && i != 0 ? 1 : 0;
+                own = i == 0 ? count : own;
+            }
+            return edges.at(azimuth, step) != 0 && own >= thick && beside >= 2;
+        });
+    }
+
+    /// The outermost edge at each azimuth; -1 if there is none.
+    using Borders = std::array<int, kAzimuths>;
+
+    static Borders borders(const Edges& edges) {
+        Borders result{};
+        for (int azimuth = 0; azimuth < kAzimuths; ++azimuth) {
+            int step = kPolarSteps - 1;
+            while (step >= kFirstStep && edges.at(azimuth, step) == 0) {
+                --step;
+            }
+            result[static_cast<std::size_t>(azimuth)] = step < kFirstStep ? -1 : step;
+        }
+        return result;
+    }
+
+    static std::ptrdiff_t count(const Borders& borders) {
+        return std::ranges::count_if(borders, [](int step) { return step >= 0; });
+    }
+
+    /// Whether hardly any photo shows the border exactly where the others do, as with a hand.
+    static bool wobbles(const Borders& exact, const Borders& changed) {
+        constexpr int kNear = 6;
+        constexpr double kLeastShareExact = 0.25;
+        std::ptrdiff_t near = 0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            near += changed[i] >= 0 && exact[i] >= changed[i] - kNear ? 1 : 0;
+        }
+        return static_cast<double>(near) < kLeastShareExact * static_cast<double>(count(changed));
+    }
+
+    /// The first step from which photos differ for some.
+    int firstUnlike(int azimuth) const {
+        constexpr int kFew = 5;
+        int step = 0;
+        while (step < kPolarSteps && unlikeOver(azimuth, step, step + kFew) < kUnlike) {
+            ++step;
+        }
+        return step;
+    }
+
+    bool m_isInLine;
+    std::vector<Below> m_photos;
+    Map m_unlike; ///< See unlikeness().
 };
 
-/// Whether the photos stand in one line, or all at one place.
-bool areInLine(std::span<const PosedPicture> photos) {
+/// The way of the line that the photos stand in; zero if they stand to its sides. Nothing if all stand at one
+/// place.
+std::optional<Eigen::Vector3d> lineOf(std::span<const PosedPicture> photos) {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const PosedPicture& photo : photos) {
         mean += photo.roomFromPhoto.translation.head<2>() / static_cast<double>(photos.size());
@@ -210,14 +361,22 @@ bool areInLine(std::span<const PosedPicture> photos) {
         const Eigen::Vector2d offset = photo.roomFromPhoto.translation.head<2>() - mean;
         spread += offset * offset.transpose() / static_cast<double>(photos.size());
     }
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[0] <
-           kLeastSpreadM * kLeastSpreadM;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    const auto isSpread = [&](int axis) { return axes.eigenvalues()[axis] >= kLeastSpreadM * kLeastSpreadM; };
+    if (!isSpread(1)) {
+        return std::nullopt;
+    }
+    Eigen::Vector3d line = Eigen::Vector3d::Zero();
+    if (!isSpread(0)) {
+        line.head<2>() = axes.eigenvectors().col(1);
+    }
+    return line;
 }
 
 /// The quantile of each angle and so many to either side.
-std::array<float, CarriedThings::kAzimuths>
-quantilesAbout(const std::array<float, CarriedThings::kAzimuths>& of, std::size_t reach, double share) {
-    constexpr auto kAll = static_cast<std::size_t>(CarriedThings::kAzimuths);
+std::array<float, kAzimuths> quantilesAbout(const std::array<float, kAzimuths>& of, std::size_t reach,
+                                            double share) {
+    constexpr auto kAll = static_cast<std::size_t>(kAzimuths);
     std::array<float, kAll> result{};
     for (std::size_t i = 0; i < kAll; ++i) {
         std::vector<float> beside;
@@ -231,109 +390,10 @@ quantilesAbout(const std::array<float, CarriedThings::kAzimuths>& of, std::size_
 
 /// The median, so that no single edge makes a spike. Then narrow dents are closed, where the floor happens to
 /// look like the cart. At last the greatest of those beside, so that no corner looks out.
-std::array<float, CarriedThings::kAzimuths>
-smoothed(const std::array<float, CarriedThings::kAzimuths>& from) {
+std::array<float, kAzimuths> smoothed(const std::array<float, kAzimuths>& from) {
     const auto closed =
         quantilesAbout(quantilesAbout(quantilesAbout(from, kSmoothing, 0.5), kDent, 1), kDent, 0);
     return quantilesAbout(closed, kSmoothing, 1);
-}
-
-/// The place of the room in a direction of the photo; nothing where the room is not known.
-class RoomSurface {
-  public:
-    explicit RoomSurface(const survey::Room& room) {
-        if (room.outline.size() >= 3 && room.ceilingM > 0) {
-            m_shape = {room.outline, 0, room.ceilingM};
-        }
-    }
-
-    /// Whether no wall stands between a point and a place of the room.
-    bool isInSight(const Eigen::Vector3d& from, const Eigen::Vector3d& place) const {
-        constexpr double kNearer = 1.05;
-        return !m_shape ||
-               render::inverseDistance(*m_shape, from, place - from) * (place - from).norm() < kNearer;
-    }
-
-    /// 1 / the distance in a direction; 0 where the room is not known.
-    double inverseM(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
-        static const double kLowest = -std::sin(kLowestWithoutWalls * kPi / 180);
-        return m_shape             ? render::inverseDistance(*m_shape, from, way)
-               : way.z() < kLowest ? -way.z() / from.z()
-                                   : 0;
-    }
-
-    std::optional<Eigen::Vector3d> placeOn(const Eigen::Vector3d& from, const Eigen::Vector3d& way) const {
-        const double inverse = inverseM(from, way);
-        return inverse > 0 ? std::optional<Eigen::Vector3d>(from + way / inverse) : std::nullopt;
-    }
-
-  private:
-    std::optional<render::RoomShape> m_shape;
-};
-
-/// 1 / the distance of the room in each direction of a photo; next to nothing where the room is not known.
-Image<float, 1> inverseTo(const RoomSurface& room, const Rigid3& roomFromPhoto) {
-    constexpr EquirectSize kSize{128, 64};
-    constexpr double kLeast = 1e-3;
-    Image<float, 1> inverse(kSize.width, kSize.height);
-    for (int y = 0; y < kSize.height; ++y) {
-        for (int x = 0; x < kSize.width; ++x) {
-            const Eigen::Vector3d way = roomFromPhoto.rotation * direction(kSize, Eigen::Vector2d(x, y));
-            *inverse.at(x, y) =
-                static_cast<float>(std::max(kLeast, room.inverseM(roomFromPhoto.translation, way)));
-        }
-    }
-    return inverse;
-}
-
-/// Another photo, as bright as the one that is filled.
-struct Helper {
-    const RgbImage* picture;
-    Eigen::Quaterniond photoFromRoom;
-    Eigen::Vector3d position;
-    Gains gains;
-};
-
-std::vector<Helper> helpers(const PosedPicture& photo, std::span<const PosedPicture> others,
-                            const RoomSurface& room) {
-    const std::vector<Gains> gains = gainsTo(photo, inverseTo(room, photo.roomFromPhoto), others);
-    std::vector<Helper> result;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        result.push_back({others[i].picture, others[i].roomFromPhoto.rotation.conjugate(),
-                          others[i].roomFromPhoto.translation, gains[i]});
-    }
-    return result;
-}
-
-/// The colour of a place by the photos that see it; nothing if none does.
-std::optional<Eigen::Vector3f> colourOf(const Eigen::Vector3d& place, std::span<const Helper> all,
-                                        const CarriedThings& things, const RoomSurface& room) {
-    std::array<std::pair<double, std::size_t>, kColours> nearest;
-    nearest.fill({HUGE_VAL, 0});
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const Eigen::Vector3d way = place - all[i].position;
-        if (way.squaredNorm() < nearest.back().first &&
-            !(things.depthInside(all[i].photoFromRoom * way) > 0) && room.isInSight(all[i].position, place)) {
-            nearest.back() = {way.squaredNorm(), i};
-            std::sort(nearest.begin(), nearest.end());
-        }
-    }
-    std::array<std::vector<float>, 3> values;
-    for (const auto& [distance, i] : nearest) {
-        if (std::isfinite(distance)) {
-            const Helper& helper = all[i];
-            const Eigen::Vector3f colour =
-                colourAt(*helper.picture, helper.photoFromRoom * (place - helper.position));
-            for (std::size_t c = 0; c < 3; ++c) {
-                values[c].push_back(std::min(255.0F, helper.gains[c] * colour[static_cast<int>(c)]));
-            }
-        }
-    }
-    if (values[0].empty()) {
-        return std::nullopt;
-    }
-    return Eigen::Vector3f(quantileInPlace(values[0], 0.5), quantileInPlace(values[1], 0.5),
-                           quantileInPlace(values[2], 0.5));
 }
 
 } // namespace
@@ -351,11 +411,14 @@ double CarriedThings::share() const {
 }
 
 double CarriedThings::depthInside(const Eigen::Vector3d& pInPhoto) const {
-    const double azimuth = std::atan2(pInPhoto.y(), pInPhoto.x());
-    const double angle = std::atan2(pInPhoto.head<2>().norm(), -pInPhoto.z());
+    return depthInside(std::atan2(pInPhoto.y(), pInPhoto.x()),
+                       std::atan2(pInPhoto.head<2>().norm(), -pInPhoto.z()));
+}
+
+double CarriedThings::depthInside(double azimuth, double angle) const {
     const double at = (azimuth + kPi) / (2 * kPi) * kAzimuths - 0.5 + kAzimuths;
-    const auto before = static_cast<std::size_t>(std::floor(at));
-    const double share = at - std::floor(at);
+    const auto before = static_cast<std::size_t>(at);
+    const double share = at - static_cast<double>(before);
     return (1 - share) * m_reachRad[before % kAzimuths] + share * m_reachRad[(before + 1) % kAzimuths] -
            angle;
 }
@@ -367,51 +430,21 @@ CarriedThings carriedThings(std::span<const PosedPicture> photos) {
                         "Could not look for what the camera carries along: a picture is empty.");
         }
     }
-    if (photos.size() < kFewestPhotos || areInLine(photos)) {
+    const auto line = lineOf(photos);
+    if (photos.size() < kFewestPhotos || !line) {
         return {};
     }
-    const Comparison comparison(spreadEvenly(std::vector(photos.begin(), photos.end()), kMostPhotos));
-    Reaches reaches;
-    for (int i = 0; i < CarriedThings::kAzimuths; ++i) {
-        reaches[static_cast<std::size_t>(i)] = comparison.reach(azimuthOf(i));
+    const auto found =
+        Comparison(spreadEvenly(std::vector(photos.begin(), photos.end()), kMostPhotos), *line).reach();
+    if (!found) {
+        return {};
     }
-    std::array<float, CarriedThings::kAzimuths> reach = smoothed(completed(reaches));
+    std::array<float, kAzimuths> reach = smoothed(*found);
     for (float& angle : reach) {
         angle += angle > 0 ? static_cast<float>(kMarginRad) : 0.0F;
     }
-    const CarriedThings found(reach);
-    return found.share() < kLeastShare ? CarriedThings() : found;
-}
-
-FilledPicture withoutCarried(const PosedPicture& photo, std::span<const PosedPicture> others,
-                             const CarriedThings& things, const survey::Room& room) {
-    const EquirectSize size{photo.picture->width(), photo.picture->height()};
-    FilledPicture result{*photo.picture, MaskImage(size.width, size.height)};
-    const RoomSurface surface(room);
-    const std::vector<Helper> all = helpers(photo, others, surface);
-    const double most = *std::max_element(things.reachRad().begin(), things.reachRad().end());
-    const int first = std::max(0, static_cast<int>(size.height * (1 - most / kPi)) - 1);
-    for (int y = things.empty() ? size.height : first; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            const Eigen::Vector3d way = direction(size, Eigen::Vector2d(x, y));
-            const double inside = things.depthInside(way);
-            const auto place = inside > 0 ? surface.placeOn(photo.roomFromPhoto.translation,
-                                                            photo.roomFromPhoto.rotation * way)
-                                          : std::nullopt;
-            const auto colour = place ? colourOf(*place, all, things, surface) : std::nullopt;
-            if (!colour) {
-                continue;
-            }
-            const auto share = static_cast<float>(std::min(1.0, inside / kFadeRad));
-            for (int c = 0; c < RgbImage::kChannels; ++c) {
-                std::uint8_t& value = result.picture.at(x, y)[c];
-                value = static_cast<std::uint8_t>(
-                    nearestInt((1 - share) * static_cast<float>(value) + share * (*colour)[c]));
-            }
-            *result.filled.at(x, y) = 255;
-        }
-    }
-    return result;
+    const CarriedThings things(reach);
+    return things.share() < kLeastShare ? CarriedThings() : things;
 }
 
 } // namespace spherewalk::scene

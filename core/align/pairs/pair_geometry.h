@@ -2,7 +2,7 @@
 #pragma once
 
 #include "spherewalk/align/photo_pair.h"
-#include "spherewalk/geometry/rotation_vector.h"
+#include "spherewalk/geometry/rotation.h"
 
 #include <Eigen/Geometry>
 

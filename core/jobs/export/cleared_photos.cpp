@@ -24,7 +24,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kMethod = 4; ///< grows when the same photos are cleared in another way
+constexpr int kMethod = 5; ///< grows when the same photos are cleared in another way
 constexpr std::size_t kHelpers = 8;
 constexpr double kLeastBaselineM = 0.1; ///< a nearer photo shows nothing that this one does not
 constexpr std::size_t kHelpersKept = 16;

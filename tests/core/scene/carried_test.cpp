@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr EquirectSize kCartSize{512, 256};
+constexpr EquirectSize kLookSize{256, 128}; ///< As exports look at photos.
 
 /// The brightness of what is carried along in a direction of the photo; nothing beside it. Units: radians;
 /// the angle is that from straight down.
@@ -47,6 +48,17 @@ std::optional<double> tripodAndOperator(double azimuth, double angle) {
         return std::fmod(angle / kDegree, 14) < 7 ? 60 : 150; // a striped coat
     }
     return isLeg || angle < 4 * kDegree ? std::optional(25.0) : std::nullopt;
+}
+
+/// A bare hand that holds the camera from below, in each photo a little elsewhere and lit in its own way.
+Cart handOf(int photo) {
+    const double aside = 3 * kDegree * std::sin(2.3 * photo);
+    const double light = 1 + 0.25 * std::sin(1.7 * photo);
+    return [=](double azimuth, double angle) -> std::optional<double> {
+        const double border = (38 + 12 * std::cos(azimuth + aside)) * kDegree + aside;
+        return angle < border ? std::optional(light * (95 + 12 * std::sin(2 * azimuth) * std::sin(angle)))
+                              : std::nullopt;
+    };
 }
 
 struct CartPhotos {
@@ -148,11 +160,78 @@ TEST(Carried, AnOperatorIsFoundFromFeetToHead) {
     EXPECT_LT(things.share(), 0.1);
 }
 
-TEST(Carried, PhotosInOneLineAndFewPhotosTellNothing) {
-    const CartPhotos line = photographed(roundRobot, 8, 1);
-    EXPECT_TRUE(carriedThings(line.posed()).empty());
-    const CartPhotos few = photographed(roundRobot, 2, 2);
-    EXPECT_TRUE(carriedThings(few.posed()).empty());
+TEST(Carried, AHandIsFoundThoughItIsElsewhereInEachPhoto) {
+    CartPhotos photos = photographed(noCart, 4, 3);
+    for (std::size_t i = 0; i < photos.taken.size(); ++i) {
+        photos.taken[i] = withCart(photos.clear[i], handOf(static_cast<int>(i)), 1);
+    }
+    const CarriedThings things = carriedThings(photos.posed());
+    double truth = 0;
+    for (double azimuth = -180; azimuth < 180; azimuth += 3) {
+        const double borderDeg = 38 + 12 * std::cos(azimuth * kDegree);
+        EXPECT_GT(things.depthInside(fromBelow(azimuth, borderDeg - 1)), 0) << azimuth;
+        truth += (1 - std::cos(borderDeg * kDegree)) / 2 / 120;
+    }
+    EXPECT_LT(things.share(), 1.5 * truth);
+}
+
+TEST(Carried, PhotosInOneLineTellByEdgesThatWouldMove) {
+    const CarriedThings things = carriedThings(photographed(roundRobot, 8, 1).posed());
+    for (double azimuth = -180; azimuth < 180; azimuth += 3) {
+        EXPECT_GT(things.depthInside(fromBelow(azimuth, 23)), 0) << azimuth;
+        EXPECT_LT(things.depthInside(fromBelow(azimuth, 34)), 0) << azimuth;
+    }
+    EXPECT_TRUE(carriedThings(photographed(noCart, 8, 1).posed()).empty());
+}
+
+/// The mean brightness of a pixel of a floor with stripes of 20 cm along x, below walls that differ from
+/// photo to photo.
+std::uint8_t stripesAt(const Rigid3& roomFromPhoto, const Eigen::Vector2d& pixel) {
+    constexpr int kSamples = 6;
+    double sum = 0;
+    for (int i = 0; i < kSamples * kSamples; ++i) {
+        const Eigen::Vector2d within((i % kSamples + 0.5) / kSamples - 0.5,
+                                     (i / kSamples + 0.5) / kSamples - 0.5);
+        const Eigen::Vector3d way = roomFromPhoto.rotation * direction(kLookSize, pixel + within);
+        const Eigen::Vector3d& from = roomFromPhoto.translation;
+        const double across = from.y() - way.y() / way.z() * from.z();
+        const double along = std::atan2(way.y(), way.x()) + way.z() + 0.7 * from.x(); // of the walls
+        sum += way.z() < 0                ? std::fmod(across + 1000, 0.4) < 0.2 ? 60 : 150
+               : std::sin(20 * along) > 0 ? 90
+                                          : 200;
+    }
+    return static_cast<std::uint8_t>(sum / (kSamples * kSamples));
+}
+
+TEST(Carried, LinesOnTheFloorAlongALineOfPhotosAreNotCarriedAlong) {
+    const std::vector<PosedPicture> none = photographed(noCart, 8, 1).posed();
+    std::vector<RgbImage> pictures;
+    std::vector<PosedPicture> photos;
+    pictures.reserve(none.size());
+    for (std::size_t i = 0; i < none.size(); ++i) {
+        // All photos are turned alike, so that the stripes stay in their place.
+        const Rigid3 pose{Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ())),
+                          none[i].roomFromPhoto.translation};
+        RgbImage picture(kLookSize.width, kLookSize.height);
+        for (int y = 0; y < kLookSize.height; ++y) {
+            for (int x = 0; x < kLookSize.width; ++x) {
+                std::fill_n(picture.at(x, y), 3, stripesAt(pose, {x + 0.0, y + 0.0}));
+            }
+        }
+        pictures.push_back(std::move(picture));
+        photos.push_back({&pictures.back(), pose});
+    }
+    EXPECT_TRUE(carriedThings(photos).empty());
+}
+
+TEST(Carried, FewPhotosAndPhotosAtOnePlaceTellNothing) {
+    EXPECT_TRUE(carriedThings(photographed(roundRobot, 2, 2).posed()).empty());
+    const CartPhotos grid = photographed(roundRobot, 4, 3);
+    std::vector<PosedPicture> atOnePlace = grid.posed();
+    for (PosedPicture& photo : atOnePlace) {
+        photo.roomFromPhoto.translation = atOnePlace[0].roomFromPhoto.translation;
+    }
+    EXPECT_TRUE(carriedThings(atOnePlace).empty());
 }
 
 TEST(Carried, AnEmptyPictureIsRefused) {

@@ -42,4 +42,14 @@ Eigen::Quaterniond bodyFromOptical();
 /// Errors: InvalidInput if they are not finite or differ from unit length by more than 1 %.
 Eigen::Quaterniond checkedQuaternion(double w, double x, double y, double z, std::string_view whose);
 
+/// The matrix of the cross product: skew(a) * b = a x b.
+inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
+    Eigen::Matrix3d matrix;
+    matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return matrix;
+}
+
+/// The rotation about this vector by its length, in radians.
+Eigen::Quaterniond turn(const Eigen::Vector3d& turnRad);
+
 } // namespace spherewalk

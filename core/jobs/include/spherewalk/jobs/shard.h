@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "spherewalk/base/error.h"
+#include "spherewalk/base/text.h"
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -13,7 +18,20 @@ struct Shard {
     std::size_t count = 1; ///< Number of parts.
 
     /// Reads "i/n", the i-th of n parts. Range: i from 1 to n, n up to a million. Errors: InvalidInput.
-    static Shard parse(std::string_view text);
+    static Shard parse(std::string_view part) {
+        constexpr double kMost = 1e6;
+        const std::size_t slash = std::min(part.find('/'), part.size());
+        const auto index = parseNumber(part.substr(0, slash));
+        const auto count = parseNumber(part.substr(std::min(slash + 1, part.size())));
+        const bool isSound = index && count && *index == std::floor(*index) && *count == std::floor(*count) &&
+                             *index >= 1 && *index <= *count && *count <= kMost;
+        if (!isSound) {
+            throw Error(ErrorKind::InvalidInput, text("\"", part,
+                                                      "\" is no part of a job: give \"i/n\", the i-th of n "
+                                                      "parts, i from 1 to n."));
+        }
+        return {static_cast<std::size_t>(*index) - 1, static_cast<std::size_t>(*count)};
+    }
 
     bool isWhole() const { return count == 1; }
 

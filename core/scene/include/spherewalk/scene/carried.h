@@ -12,9 +12,9 @@
 
 namespace spherewalk::scene {
 
-/// What a camera carries along: its cart, tripod or robot, or an operator who always stands on the same side
-/// of it. All photos show it at the same place. It reaches from straight down up to an angle that depends on
-/// the azimuth. Frames: the photos' own.
+/// What a camera carries along: its cart, tripod or robot, a hand that holds it, or an operator who always
+/// stands on the same side of it. All photos show it at about the same place. It reaches from straight down
+/// up to an angle that depends on the azimuth. Frames: the photos' own.
 class CarriedThings {
   public:
     static constexpr int kAzimuths = 180;
@@ -34,17 +34,20 @@ class CarriedThings {
     /// but 0.
     double depthInside(const Eigen::Vector3d& pInPhoto) const;
 
+    /// The same. azimuth: in radians, from -pi to pi. angle: from straight down.
+    double depthInside(double azimuth, double angle) const;
+
     const std::array<float, kAzimuths>& reachRad() const { return m_reachRad; }
 
   private:
     std::array<float, kAzimuths> m_reachRad{};
 };
 
-/// Finds what the camera carries along, from up to 24 of the photos. An edge belongs to it if most photos
-/// show it at the same place of the photo. Edges of the room move, as the camera does. Walking up from
-/// straight down, the carried things end at the last such edge before the room's own edges begin. It finds
-/// nothing if there are fewer than six photos or if they stand in one line, since lines on the floor then
-/// stay in place, too. Range: pictures of about 256 pixels are enough. Errors: InvalidInput for an empty
+/// Finds what the camera carries along, from up to 24 of the photos. Its edges are at the same place in
+/// most photos; edges of the room move, as the camera does. Where it moves a little, as a hand does, the
+/// colour of most photos changes there from what is alike in all to what is not. It finds nothing if there
+/// are fewer than six photos or if all stand at one place. In one line, edges along it do not count, and no
+/// hand is found. Range: pictures of about 256 pixels are enough. Errors: InvalidInput for an empty
 /// picture.
 CarriedThings carriedThings(std::span<const PosedPicture> photos);
 
@@ -54,11 +57,11 @@ struct FilledPicture {
     MaskImage filled; ///< 255 where a pixel was replaced.
 };
 
-/// The photo with floor and walls in place of what is carried along, as other photos show them. The three
-/// that stand nearest to a place and see it beside their own cart give its colour: their median, each as
-/// bright as the photo. What none of them sees stays as it is. The room is its drawn outline and its ceiling;
-/// without an outline it is a floor, and what lies less than 15 degrees below the horizon stays. Range:
-/// roomFromPhoto of all photos above the floor.
+/// The photo with floor and walls in place of what is carried along, as other photos show them. Those that
+/// stand near a place and see it beside what they carry themselves give its colour, each as bright as the
+/// photo is about there (Farbman et al., Coordinates for instant image cloning, 2009). What none of them
+/// sees stays. The room is its drawn outline and its ceiling; without an outline it is a floor, and what
+/// lies less than 15 degrees below the horizon stays. Range: roomFromPhoto of all photos above the floor.
 FilledPicture withoutCarried(const PosedPicture& photo, std::span<const PosedPicture> others,
                              const CarriedThings& things, const survey::Room& room);
 
