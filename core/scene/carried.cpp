@@ -25,13 +25,13 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kFewestPhotos = 6;
 constexpr std::size_t kMostPhotos = 24;
 constexpr double kLeastSpreadM = 0.1; ///< Of the photos along their line, and across it if they are in none.
-constexpr float kAcrossLine = 0.5F;   ///< The sine of the least angle between a line of photos and an edge.
+constexpr float kAcrossLine = 0.35F;  ///< The sine of the least angle between a line of photos and an edge.
 constexpr int kFirstStep = 6;         ///< Less is not worth a look.
-constexpr int kRoomBegins = 32;       ///< From this step on, photos of a room usually show other things,
-constexpr int kRoomEnds = 72;         ///< up to this one.
-constexpr int kEndOfChanges = 64;     ///< An operator's head is higher.
-constexpr int kEndInLine = 42;        ///< Farther up, lines on the floor are too fine to tell their way.
-constexpr float kLeastUsual = 0.05F;  ///< By which photos of a room differ at least.
+constexpr int kRoomBegins = 32;       ///< Up to the next step, photos of a room usually show other things.
+constexpr int kRoomEnds = 72;
+constexpr int kEndOfChanges = 64;    ///< An operator's head is higher.
+constexpr int kEndInLine = 42;       ///< Farther up, lines on the floor are too fine to tell their way.
+constexpr float kLeastUsual = 0.05F; ///< By which photos of a room differ at least.
 /// The least change of brightness from one step to the next that is an edge: of its logarithm.
 constexpr float kEdge = 0.04F;
 constexpr float kEdgeInLine = 0.12F; ///< The same where its way matters.
@@ -39,11 +39,12 @@ constexpr double kAgreeing = 0.7;    ///< Share of the photos that show a carrie
 constexpr float kDeviation = 0.5F;   ///< Share of the edge by which such a photo may differ.
 constexpr float kAlike = 0.6F;       ///< Of how much photos differ usually; less is what they carry along.
 constexpr float kUnlike = 0.65F;
-constexpr float kChange = 0.25F;           ///< Of a colour's logarithm, that a border is seen by.
-constexpr int kThick = 3;                  ///< Steps over which such a change is seen.
-constexpr int kWobble = 2;                 ///< Steps by which a hand is elsewhere from photo to photo.
-constexpr double kFewestExact = 10;        ///< Azimuths with an edge; fewer come by chance.
-constexpr double kLeastShareChanged = 0.5; ///< The same of azimuths with a change, as a share.
+constexpr float kChange = 0.25F;             ///< Of a colour's logarithm, that a border is seen by.
+constexpr int kThick = 3;                    ///< Steps over which such a change is seen.
+constexpr int kWobble = 2;                   ///< Steps by which a hand is elsewhere from photo to photo.
+constexpr std::ptrdiff_t kFewestExact = 10;  ///< Azimuths with an edge; fewer come by chance,
+constexpr std::ptrdiff_t kFewestInLine = 45; ///< and in one line more do.
+constexpr double kLeastShareChanged = 0.5;   ///< The same of azimuths with a change, as a share.
 constexpr double kMarginRad = 2.1 * kPi / 180;
 constexpr std::size_t kSmoothing = 2; ///< Azimuths to either side that count.
 constexpr std::size_t kDent = 7;      ///< The same for dents, of which this is half the width.
@@ -133,23 +134,23 @@ struct Reach {
     float angle = 0;
 };
 
-using Reaches = std::array<Reach, kAzimuths>;
-
-/// The angles of all azimuths. Where it is not known where the room begins, what is carried is taken to reach
-/// as far as it does on that side where it is less. Range: at one azimuth it is known.
-std::array<float, kAzimuths> completed(const Reaches& reaches) {
+/// The angles of all azimuths. Where it is not known where the room begins, what is carried reaches as far as
+/// on that side where it is more, or less if that is far away. Range: at one azimuth it is known.
+std::array<float, kAzimuths> completed(const std::array<Reach, kAzimuths>& reaches) {
+    constexpr std::size_t kFar = 15; // azimuths from one side to the other
     constexpr auto kAll = static_cast<std::size_t>(kAzimuths);
     std::array<float, kAll> angles{};
     for (std::size_t i = 0; i < kAll; ++i) {
-        std::size_t before = i;
-        std::size_t after = i;
-        while (!reaches[before].isKnown) {
-            before = (before + kAll - 1) % kAll;
+        std::size_t before = kAll;
+        std::size_t after = 0;
+        while (!reaches[(i + before) % kAll].isKnown) {
+            --before;
         }
-        while (!reaches[after].isKnown) {
-            after = (after + 1) % kAll;
+        while (!reaches[(i + after) % kAll].isKnown) {
+            ++after;
         }
-        angles[i] = std::min(reaches[before].angle, reaches[after].angle);
+        const auto sides = std::minmax(reaches[(i + before) % kAll].angle, reaches[(i + after) % kAll].angle);
+        angles[i] = kAll - before + after < kFar ? sides.second : sides.first;
     }
     return angles;
 }
@@ -177,16 +178,16 @@ class Comparison {
             changed = borders(joined(changes(kWobble), kThick));
         }
         const bool hasChanged = count(changed) >= kLeastShareChanged * kAzimuths;
-        if (count(exact) < kFewestExact && !hasChanged) {
+        if (count(exact) < (m_isInLine ? kFewestInLine : kFewestExact) && !hasChanged) {
             return std::nullopt;
         }
-        Reaches reaches;
+        std::array<Reach, kAzimuths> reaches;
         for (std::size_t i = 0; i < reaches.size(); ++i) {
             // Two steps beyond a border, a change is still seen.
             const int edge = std::max(exact[i], hasChanged ? changed[i] - 2 : -1);
             const int room = firstUnlike(static_cast<int>(i));
             const int end = edge >= 0 ? edge + 1 : room;
-            reaches[i] = {edge >= 0 || room < 2 * kFirstStep, static_cast<float>(end * kPolarStepRad)};
+            reaches[i] = {edge >= 0 || room < kFirstStep, static_cast<float>(end * kPolarStepRad)};
         }
         return completed(reaches);
     }
@@ -203,7 +204,6 @@ class Comparison {
                 return medianAndSpread(all).sigma;
             });
         };
-        const Map dark = spread(0);
         const std::array<Map, 2> tints{spread(1), spread(2)};
         const auto smooth = [](const Map& of) {
             return Map([&](int azimuth, int step) {
@@ -216,7 +216,7 @@ class Comparison {
                 return sum / 9;
             });
         };
-        const Map darkness = smooth(dark);
+        const Map darkness = smooth(spread(0));
         const Map tint = smooth(Map([&](int azimuth, int step) {
             return std::hypot(tints[0].at(azimuth, step), tints[1].at(azimuth, step));
         }));

@@ -171,19 +171,21 @@ std::optional<float> medianAbout(const Ring& ring, std::size_t azimuth, std::siz
 /// border. usual: what a helper has that shares no place with the photo.
 GainMap gainsWithin(const Ring& ring, const CarriedThings& things, const Eigen::Vector3f& usual) {
     constexpr std::size_t kReach = 6;
-    constexpr float kMost = 1; // More is another thing.
+    constexpr std::size_t kAll = kAzimuths / 2;
+    constexpr float kMost = 0.7F; // What differs by more from the rest of the ring is another thing.
     const auto brightness = [](const Eigen::Vector3f& factor) { return factor.mean(); };
+    const float middle = medianAbout(ring, 0, kAll, brightness).value_or(usual.mean());
     std::vector<std::pair<Eigen::Vector3f, float>> border; // ways and factors of brightness
     for (std::size_t i = 0; i < ring.size(); ++i) {
         if (const auto gain = medianAbout(ring, i, kReach, brightness)) {
             border.emplace_back(fromBelow(azimuthOf(static_cast<int>(i)), things.reachRad()[i]).cast<float>(),
-                                std::clamp(*gain, -kMost, kMost));
+                                std::clamp(*gain, middle - kMost, middle + kMost));
         }
     }
     Eigen::Vector3f tint = usual.array() - usual.mean();
     for (Eigen::Index c = 0; c < 3; ++c) {
         const auto of = [c](const Eigen::Vector3f& factor) { return factor[c] - factor.mean(); };
-        tint[c] = medianAbout(ring, 0, kAzimuths / 2, of).value_or(tint[c]);
+        tint[c] = medianAbout(ring, 0, kAll, of).value_or(tint[c]);
     }
     return GainMap([&](int azimuth, int step) -> Eigen::Vector3f {
         constexpr float kNearest = 1e-4F;
@@ -196,7 +198,7 @@ GainMap gainsWithin(const Ring& ring, const CarriedThings& things, const Eigen::
             sum += weight * gain;
             weights += weight;
         }
-        return (tint.array() + (weights > 0 ? sum / weights : usual.mean())).exp();
+        return (tint.array() + (weights > 0 ? sum / weights : middle)).exp();
     });
 }
 

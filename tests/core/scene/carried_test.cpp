@@ -172,7 +172,7 @@ TEST(Carried, AHandIsFoundThoughItIsElsewhereInEachPhoto) {
         EXPECT_GT(things.depthInside(fromBelow(azimuth, borderDeg - 1)), 0) << azimuth;
         truth += (1 - std::cos(borderDeg * kDegree)) / 2 / 120;
     }
-    EXPECT_LT(things.share(), 1.5 * truth);
+    EXPECT_LT(things.share(), 1.6 * truth); // The floor beside it is plain.
 }
 
 TEST(Carried, PhotosInOneLineTellByEdgesThatWouldMove) {
