@@ -40,6 +40,7 @@ constexpr float kDeviation = 0.5F;   ///< Share of the edge by which such a phot
 constexpr float kAlike = 0.6F;       ///< Of how much photos differ usually; less is what they carry along.
 constexpr float kUnlike = 0.65F;
 constexpr float kChange = 0.25F;             ///< Of a colour's logarithm, that a border is seen by.
+constexpr float kNearlyAll = 0.85F;          ///< Of so many photos the colours change at no place by chance.
 constexpr int kThick = 3;                    ///< Steps over which such a change is seen.
 constexpr int kWobble = 2;                   ///< Steps by which a hand is elsewhere from photo to photo.
 constexpr std::ptrdiff_t kFewestExact = 10;  ///< Azimuths with an edge; fewer come by chance,
@@ -227,16 +228,14 @@ class Comparison {
         });
     }
 
-    /// The mean of unlikeness over some steps.
+    /// The mean of unlikeness over some steps. Range: begin < end.
     float unlikeOver(int azimuth, int begin, int end) const {
         constexpr float kMost = 1.5F;
         float sum = 0;
-        begin = std::max(0, begin);
-        end = std::min(kPolarSteps, end);
         for (int step = begin; step < end; ++step) {
-            sum += std::min(kMost, m_unlike.at(azimuth, step));
+            sum += std::min(kMost, m_unlike.at(azimuth, std::clamp(step, 0, kPolarSteps - 1)));
         }
-        return sum / static_cast<float>(std::max(1, end - begin));
+        return sum / static_cast<float>(end - begin);
     }
 
     /// Whether most photos show the same edge, which an edge of the room would not be.
@@ -282,11 +281,12 @@ class Comparison {
         return Edges([&](int azimuth, int step) {
             return step < kEndOfChanges && share.at(azimuth, step) >= least &&
                    unlikeOver(azimuth, step - 6, step - 1) < kAlike &&
-                   unlikeOver(azimuth, step + 2, step + 8) > kUnlike;
+                   (unlikeOver(azimuth, step + 2, step + 8) > kUnlike ||
+                    share.at(azimuth, step) > kNearlyAll);
         });
     }
 
-    /// The edges with others at two azimuths beside them at least. alone: how many may stand on each other.
+    /// The edges with others at two azimuths beside them, of which so many stand on each other at least.
     static Edges joined(const Edges& edges, int thick) {
         constexpr int kReach = 2;
         return Edges([&](int azimuth, int step) {
