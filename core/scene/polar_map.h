@@ -55,7 +55,8 @@ class PolarMap {
 
     /// Range: azimuth from -kAzimuths on.
     Value& at(int azimuth, int step) {
-        return m_values[static_cast<std::size_t>((azimuth + kAzimuths) % kAzimuths * kPolarSteps + step)];
+        const auto row = static_cast<std::size_t>((azimuth + kAzimuths) % kAzimuths);
+        return m_values[row * kPolarSteps + static_cast<std::size_t>(step)];
     }
 
     const Value& at(int azimuth, int step) const { return const_cast<PolarMap*>(this)->at(azimuth, step); }
