@@ -262,8 +262,8 @@ class Comparison {
                unlikeOver(azimuth, step - 4, step) < kAlike;
     }
 
-    /// Where the colour of most photos changes, from what they carry along to what differs between them.
-    /// wobble: steps by which the border is elsewhere from photo to photo.
+    /// Where the colour of most photos changes, from what they carry along to what differs between them; or
+    /// of nearly all, on a plain floor. wobble: steps by which the border is elsewhere from photo to photo.
     Edges changes(int wobble) const {
         const Map share([&](int azimuth, int step) {
             float count = 0;
@@ -416,7 +416,7 @@ double CarriedThings::depthInside(const Eigen::Vector3d& pInPhoto) const {
 }
 
 double CarriedThings::depthInside(double azimuth, double angle) const {
-    const double at = (azimuth + kPi) / (2 * kPi) * kAzimuths - 0.5 + kAzimuths;
+    const double at = indexOf(azimuth) + kAzimuths;
     const auto before = static_cast<std::size_t>(at);
     const double share = at - static_cast<double>(before);
     return (1 - share) * m_reachRad[before % kAzimuths] + share * m_reachRad[(before + 1) % kAzimuths] -

@@ -31,6 +31,11 @@ inline double azimuthOf(int index) {
     return -std::numbers::pi + 2 * std::numbers::pi * (index + 0.5) / kAzimuths;
 }
 
+/// The inverse of azimuthOf(). Range: azimuth in radians, from -pi to pi.
+inline double indexOf(double azimuth) {
+    return (azimuth + std::numbers::pi) / (2 * std::numbers::pi) * kAzimuths - 0.5;
+}
+
 inline Eigen::Vector3d wayOf(int azimuth, int step) {
     return fromBelow(azimuthOf(azimuth), (step + 0.5) * kPolarStepRad);
 }

@@ -80,8 +80,7 @@ using GainMap = PolarMap<Eigen::Vector3f>;
 class PolarPlace {
   public:
     explicit PolarPlace(const Eigen::Vector3d& way) {
-        const double turn =
-            (std::atan2(way.y(), way.x()) + std::numbers::pi) / (2 * std::numbers::pi) * kAzimuths - 0.5;
+        const double turn = indexOf(std::atan2(way.y(), way.x()));
         const double up = std::atan2(way.head<2>().norm(), -way.z()) / kPolarStepRad - 0.5;
         const double step = std::clamp(up, 0.0, kPolarSteps - 1.001);
         m_azimuth = static_cast<int>(std::floor(turn));
@@ -221,6 +220,7 @@ std::vector<Helper> helpers(const PosedPicture& photo, std::span<const PosedPict
 std::optional<Eigen::Vector3f> colourOf(const Eigen::Vector3d& place, const Eigen::Vector3d& way,
                                         std::span<const Helper> all, const CarriedThings& things,
                                         const RoomSurface& room) {
+    constexpr double kNearestHelperM = 0.01; // a camera on a wall
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     float weights = 0;
     const PolarPlace at(way);
@@ -230,7 +230,8 @@ std::optional<Eigen::Vector3f> colourOf(const Eigen::Vector3d& place, const Eige
         if (beside <= 0 || !room.isInSight(helper.position, place)) {
             continue;
         }
-        const double squared = (place - helper.position).squaredNorm();
+        const double squared =
+            std::max(kNearestHelperM * kNearestHelperM, (place - helper.position).squaredNorm());
         const auto weight = static_cast<float>(std::min(1.0, beside / kFullBesideRad) / (squared * squared));
         sum.array() += weight * colourAt(*helper.picture, in).array() * at.in(helper.gains).array();
         weights += weight;
