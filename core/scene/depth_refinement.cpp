@@ -108,7 +108,7 @@ class Refinement {
         }
         dropSpecks(*photo.depth);
         m_depth.inverseM = continuedFromSure(m_depth, photo.photo.atLeast(m_depth.sure.width()),
-                                             surroundings(photo, room), m_threads);
+                                             surroundings(photo, room, m_threads), m_threads);
         m_depth.inverseM = smoothedSurfaces(m_depth.inverseM, m_threads);
         return std::move(m_depth);
     }
@@ -126,17 +126,21 @@ class Refinement {
     }
 
     /// What the photo would show of an empty room. If it does not stand in it, or contradicts it, the depth
-    /// that neighbours agreed on.
-    static Plane surroundings(const KnownPhoto& photo, const render::RoomShape* room) {
+    /// that neighbours agreed on, smoothed: where that jumps and nothing is sure, as about a lamp's reflection
+    /// on a ceiling, the surface would be torn.
+    static Plane surroundings(const KnownPhoto& photo, const render::RoomShape* room, int threads) {
+        constexpr int kReach = 8; // pixels of a depth of the usual width
+        constexpr int kUsualWidth = 1024;
         const Rigid3& pose = photo.photo.roomFromPhoto;
         const Eigen::Vector3d& at = pose.translation;
+        Plane agreed = photo.depth->inverseM;
+        blur(agreed, kReach * agreed.width() / kUsualWidth, threads);
         if (room == nullptr || !contains(room->outline, at.head<2>()) || at.z() <= room->floorM ||
             at.z() >= room->ceilingM) {
-            return photo.depth->inverseM;
+            return agreed;
         }
-        const Plane about =
-            render::roomDepth(*room, pose, photo.depth->inverseM.width(), photo.photo.lenses).inverseM();
-        return fits(*room, photo, about) ? about : photo.depth->inverseM;
+        Plane about = render::roomDepth(*room, pose, agreed.width(), photo.photo.lenses).inverseM();
+        return fits(*room, photo, about) ? about : agreed;
     }
 
     /// The variance of brightness about each pixel, in squared grey levels.

@@ -180,6 +180,26 @@ TEST(DepthRefinement, IsTheRoomFarFromWhatIsSureUnlessThePhotoContradictsIt) {
     EXPECT_EQ(refinedDepth(room.photo(0, before), others, &wider).inverseM, without.inverseM);
 }
 
+TEST(DepthRefinement, IsNotTornWherePhotosAgreedOnAReflectionInACeilingThatNothingIsSureOf) {
+    const KnownRoom& room = KnownRoom::made();
+    const PhotoDepth nothing = unknown();
+    const std::vector<KnownPhoto> others{room.photo(1, nothing), room.photo(2, nothing)};
+    PhotoDepth before = room.depths[0];
+    for (int y = 0; y < before.sure.height() * 3 / 8; ++y) {
+        std::fill_n(before.sure.at(0, y), before.sure.width(), std::uint8_t{0});
+    }
+    constexpr int kRow = 14;
+    for (int y = kRow - 4; y < kRow + 4; ++y) {
+        std::for_each_n(before.inverseM.at(60, y), 30, [](float& inverse) { inverse *= 0.75F; });
+    }
+    const PhotoDepth refined = refinedDepth(room.photo(0, before), others, nullptr);
+    for (int x = 50; x < 100; ++x) {
+        const float here = *refined.inverseM.at(x, kRow);
+        const float beside = *refined.inverseM.at(x + 1, kRow);
+        EXPECT_LT(std::abs(here - beside), 0.08F * std::max(here, beside)) << x;
+    }
+}
+
 TEST(DepthRefinement, LeavesADepthWithoutNeighboursAsItIs) {
     const KnownRoom& room = KnownRoom::made();
     EXPECT_EQ(refinedDepth(room.photo(0), {}, nullptr).inverseM, room.depths[0].inverseM);
