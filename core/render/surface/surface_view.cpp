@@ -198,6 +198,9 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
         } else if (i > 0) {
             m_coordinates.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
         }
+        if (m_mixes && i > 0) {
+            m_coordinates.reopenNarrow(static_cast<std::uint8_t>(i), m_width, m_height, pool, threads);
+        }
         const double openShare = m_open.update(m_coordinates.inverse, pool, threads) / pixels;
         if (i == 0) {
             m_filledShare = openShare;

@@ -453,6 +453,52 @@ TEST(Rims, AreInThePartsOfTheMapThatMayHaveSome) {
     }
 }
 
+/// The share of a hole's pixels that stay taken from the second photo. It is upright and has these sides.
+double shareLeftInHole(int widthPx, float left, float right, float taken) {
+    constexpr int kWidth = 90; // no multiple of a cell's
+    constexpr int kHeight = 45;
+    constexpr int kFirst = 20;
+    SurfaceCoordinates view;
+    view.reset(kWidth, kHeight);
+    const auto inHole = [&](int x) { return x >= kFirst && x < kFirst + widthPx; };
+    for (int y = 0; y < view.source.height(); ++y) {
+        for (int x = 0; x < view.source.width(); ++x) {
+            *view.inverse.at(x, y) = inHole(x) ? taken : x < kFirst ? left : right;
+            *view.source.at(x, y) = inHole(x) ? 1 : 0;
+            view.sources[view.index(x / kCell, y / kCell)] |= inHole(x) ? 1U << 1 : 0U;
+        }
+    }
+    WorkerPool pool;
+    view.reopenNarrow(1, kWidth, kHeight, pool, 2);
+    int stayed = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = kFirst; x < kFirst + widthPx; ++x) {
+            const bool isTaken = *view.source.at(x, y) == 1;
+            EXPECT_EQ(isTaken, *view.inverse.at(x, y) > 0) << x << ' ' << y;
+            stayed += isTaken ? 1 : 0;
+        }
+    }
+    return stayed / static_cast<double>(kHeight * widthPx);
+}
+
+TEST(NarrowHoles, ShowWhatLiesBetweenTheirSides) {
+    EXPECT_EQ(shareLeftInHole(9, 0.5F, 0.5F, 0.48F), 1);
+    EXPECT_EQ(shareLeftInHole(9, 1, 0.5F, 0.5F), 1); // what a near thing hid before a wall
+    EXPECT_EQ(shareLeftInHole(9, 1, 0.5F, 0.7F), 1);
+}
+
+TEST(NarrowHoles, ShowNothingBehindOrBeforeBothSides) {
+    EXPECT_EQ(shareLeftInHole(9, 1, 0.5F, 0.4F), 0);
+    EXPECT_EQ(shareLeftInHole(9, 1, 0.5F, 1.2F), 0);
+    EXPECT_EQ(shareLeftInHole(1, 0.5F, 0.5F, 0.1F), 0);
+}
+
+TEST(NarrowHoles, EndWhereAHoleIsWide) {
+    EXPECT_EQ(shareLeftInHole(30, 0.5F, 0.5F, 0.1F), 0);
+    EXPECT_EQ(shareLeftInHole(40, 0.5F, 0.5F, 0.1F), 1);
+    EXPECT_EQ(shareLeftInHole(70, 0.5F, 0.5F, 0.1F), 1); // up to the view's edge
+}
+
 TEST(SoftFill, TakesTheColourOfWhatLiesBehind) {
     WorkerPool pool(2);
     RgbImage picture(40, 30);
