@@ -34,10 +34,10 @@ struct SurfaceCoordinates {
     /// many pixels the first photo does not see; pixels beyond the view count as seen.
     int mix(const InverseBuffer& seen, float perFirst, WorkerPool& pool, int threads);
 
-    /// Opens pixels again that were taken from a photo and do not fit into a narrow hole. They are nearer than
-    /// its nearer side, or farther than its farther side. A hole is narrow if it is known to its left and
-    /// right within 32 pixels, or above and below. What another photo shows there is mostly wrong, or another
-    /// room behind a thin wall. width, height: of the view.
+    /// Opens pixels again that were taken from a photo and do not fit into a narrow hole. They are nearer
+    /// than its nearer side, or farther than its farther side. A hole is narrow if it is known to its left
+    /// and right within 32 pixels, or above and below. What another photo shows there is mostly wrong, or
+    /// another room behind a thin wall. width, height: of the view.
     void reopenNarrow(std::uint8_t photo, int width, int height, WorkerPool& pool, int threads);
 
     int columns() const { return source.width() / kCell; } ///< The number of cells side by side.
