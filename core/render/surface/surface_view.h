@@ -90,8 +90,8 @@ class SurfaceRaster {
 /// A view that mixes takes the mean of the first two photos where their 1 / s differ by less than 10 %. They
 /// are mixed less the more they differ. Each photo counts by 1 / its distance from the camera, so the
 /// view at a photo is that photo. The second photo's colours stay near the first one's, see keepWithin(). The
-/// rims of things count little, see colourWeights(). What further photos show in narrow holes must lie between
-/// their sides, see reopenNarrow(). Holes are filled softly, see fillSoftly().
+/// rims of things count little, see colourWeights(). What further photos show in narrow holes must lie
+/// between their sides, see reopenNarrow(). Holes are filled softly, see fillSoftly().
 class SurfaceView {
   public:
     explicit SurfaceView(bool mixes = false) : m_mixes(mixes) {}
