@@ -110,6 +110,7 @@ class Refinement {
         m_depth.inverseM = continuedFromSure(m_depth, photo.photo.atLeast(m_depth.sure.width()),
                                              surroundings(photo, room, m_threads), m_threads);
         m_depth.inverseM = smoothedSurfaces(m_depth.inverseM, m_threads);
+        m_depth.inverseM = evenedBorders(std::move(m_depth.inverseM), m_depth.sure, m_threads);
         return std::move(m_depth);
     }
 

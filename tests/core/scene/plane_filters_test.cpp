@@ -232,4 +232,36 @@ TEST(PlaneSmoothing, IsTheSameAtAnyScaleAndTurn) {
     EXPECT_EQ(smoothedSurfaces(turnedBy(plane, 51), 1), turnedBy(result, 51));
 }
 
+TEST(EvenedBorders, LoseTheirTeethWhereNothingIsSure) {
+    constexpr int kWidth = 64;
+    Plane wall(kWidth, 32);
+    for (int y = 0; y < wall.height(); ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            *wall.at(x, y) = x < 20 + (y % 5 == 0 ? 2 : 0) ? 1.0F : 0.25F; // a tooth in each fifth row
+        }
+    }
+    const MaskImage unsure(kWidth, wall.height());
+    const Plane even = evenedBorders(wall, unsure, 2);
+    EXPECT_EQ(even, evenedBorders(wall, unsure, 1));
+    for (int y = 4; y < wall.height() - 4; ++y) {
+        EXPECT_EQ(*even.at(19, y), 1) << y;
+        EXPECT_EQ(*even.at(20, y), 0.25F) << y;
+        EXPECT_EQ(*even.at(0, y), 1) << y; // the other border lies on the seam
+        EXPECT_EQ(*even.at(kWidth - 1, y), 0.25F) << y;
+    }
+    MaskImage sure = unsure;
+    std::fill(sure.values().begin(), sure.values().end(), std::uint8_t{255});
+    EXPECT_EQ(evenedBorders(wall, sure, 1), wall);
+}
+
+TEST(EvenedBorders, AreThoseOfJumpsAlone) {
+    Plane slant(64, 32);
+    for (int y = 0; y < slant.height(); ++y) {
+        for (int x = 0; x < slant.width(); ++x) {
+            *slant.at(x, y) = 0.5F + 0.005F * static_cast<float>(std::abs(x - 32)) + (x == 9 ? 0.004F : 0);
+        }
+    }
+    EXPECT_EQ(evenedBorders(slant, MaskImage(64, 32), 1), slant);
+}
+
 } // namespace spherewalk::scene

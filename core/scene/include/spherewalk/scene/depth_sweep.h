@@ -120,9 +120,9 @@ struct KnownPhoto {
 /// surfaces stay as they are, since pictures of them tell no distance. What is taken over is `sure`. At last
 /// planes are continued from all that is sure over what is not. Far from what is sure the photo shows the
 /// room's walls, floor and ceiling, if it stands in the room and two fifths of what it surely shows towards
-/// walls lie on them. Else it keeps what neighbours agreed on there, smoothed. Shape: all depths are of one
-/// width, a multiple of 16. room: may be null. Cost: 0.7 s of one core with four neighbours. Errors: InvalidInput if
-/// sizes differ; Stopped.
+/// walls lie on them. Else it keeps what neighbours agreed on there, smoothed. Borders where nothing is sure
+/// are evened. Shape: all depths are of one width, a multiple of 16. room: may be null. Cost: 0.7 s of one
+/// core with four neighbours. Errors: InvalidInput if sizes differ; Stopped.
 PhotoDepth refinedDepth(const KnownPhoto& photo, std::span<const KnownPhoto> neighbours,
                         const render::RoomShape* room, int threads = 0, const std::stop_token& stop = {});
 
