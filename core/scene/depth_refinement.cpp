@@ -127,8 +127,8 @@ class Refinement {
     }
 
     /// What the photo would show of an empty room. If it does not stand in it, or contradicts it, the depth
-    /// that neighbours agreed on, smoothed: where that jumps and nothing is sure, as about a lamp's reflection
-    /// on a ceiling, the surface would be torn.
+    /// that neighbours agreed on, smoothed: where that jumps and nothing is sure, as about a lamp's
+    /// reflection on a ceiling, the surface would be torn.
     static Plane surroundings(const KnownPhoto& photo, const render::RoomShape* room, int threads) {
         constexpr int kReach = 8; // pixels of a depth of the usual width
         constexpr int kUsualWidth = 1024;
