@@ -18,10 +18,9 @@ namespace spherewalk::scene {
 
 namespace {
 
-constexpr float kShare = 0.015F;  ///< Share of 1 / distance by which two depths may differ.
-constexpr float kPixels = 0.75F;  ///< Parallax in pixels by which two depths may differ.
-constexpr int kUsualWidth = 1024; ///< Numbers of pixels below are for depths of this width.
-constexpr int kBeside = 2;        ///< Half the sides of the squares in which confirmed pixels are counted.
+constexpr float kShare = 0.015F; ///< Share of 1 / distance by which two depths may differ.
+constexpr float kPixels = 0.75F; ///< Parallax in pixels by which two depths may differ.
+constexpr int kBeside = 2;       ///< Half the sides of the squares in which confirmed pixels are counted.
 constexpr int kAbout = 10;
 constexpr int kWidely = 60;
 constexpr float kChance = 0.35F;       ///< Share of the pixels that neighbours may confirm by chance.

@@ -130,18 +130,21 @@ class Refinement {
     /// that neighbours agreed on, smoothed: where that jumps and nothing is sure, as about a lamp's
     /// reflection on a ceiling, the surface would be torn.
     static Plane surroundings(const KnownPhoto& photo, const render::RoomShape* room, int threads) {
-        constexpr int kReach = 8; // pixels of a depth of the usual width
-        constexpr int kUsualWidth = 1024;
         const Rigid3& pose = photo.photo.roomFromPhoto;
         const Eigen::Vector3d& at = pose.translation;
-        Plane agreed = photo.depth->inverseM;
-        blur(agreed, kReach * agreed.width() / kUsualWidth, threads);
+        const int width = photo.depth->inverseM.width();
+        const auto agreed = [&] {
+            constexpr int kReach = 8;
+            Plane smooth = photo.depth->inverseM;
+            blur(smooth, kReach * width / kUsualWidth, threads);
+            return smooth;
+        };
         if (room == nullptr || !contains(room->outline, at.head<2>()) || at.z() <= room->floorM ||
             at.z() >= room->ceilingM) {
-            return agreed;
+            return agreed();
         }
-        Plane about = render::roomDepth(*room, pose, agreed.width(), photo.photo.lenses).inverseM();
-        return fits(*room, photo, about) ? about : agreed;
+        Plane about = render::roomDepth(*room, pose, width, photo.photo.lenses).inverseM();
+        return fits(*room, photo, about) ? about : agreed();
     }
 
     /// The variance of brightness about each pixel, in squared grey levels.

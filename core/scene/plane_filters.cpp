@@ -337,17 +337,19 @@ Plane smoothedSurfaces(const Plane& inverseM, int threads) {
 
 namespace {
 
-/// The median of the square of so many pixels to each side. Range: the square lies within the rows.
-float medianAbout(const Plane& plane, int x, int y, int radius) {
-    std::array<float, 25> values;
+constexpr int kMedianReach = 2;
+
+/// The median of the square of kMedianReach pixels to each side. Range: the square lies within the rows.
+float medianAbout(const Plane& plane, int x, int y) {
+    std::array<float, (2 * kMedianReach + 1) * (2 * kMedianReach + 1)> values;
     std::size_t count = 0;
-    for (int j = -radius; j <= radius; ++j) {
-        for (int i = -radius; i <= radius; ++i) {
+    for (int j = -kMedianReach; j <= kMedianReach; ++j) {
+        for (int i = -kMedianReach; i <= kMedianReach; ++i) {
             values[count++] = *plane.at((x + i + plane.width()) % plane.width(), y + j);
         }
     }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(values.begin(), middle, values.begin() + static_cast<std::ptrdiff_t>(count));
+    const auto middle = values.begin() + values.size() / 2;
+    std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
 
@@ -355,17 +357,16 @@ float medianAbout(const Plane& plane, int x, int y, int radius) {
 
 Plane evenedBorders(Plane inverseM, const MaskImage& sure, int threads) {
     constexpr int kTurns = 2;
-    constexpr int kBeside = 2;
-    constexpr float kTorn = 0.08F;
     for (int turn = 0; turn < kTurns; ++turn) {
         const Plane before = inverseM;
         const Plane least = leastOfCross(leastOfCross(before, 1, threads), 1, threads);
         const Plane most = mostOfCross(mostOfCross(before, 1, threads), 1, threads);
         parallelFor(before.height(), 8, threads, [&](int begin, int end) {
-            for (int y = std::max(kBeside, begin); y < std::min(end, before.height() - kBeside); ++y) {
+            for (int y = std::max(kMedianReach, begin); y < std::min(end, before.height() - kMedianReach);
+                 ++y) {
                 for (int x = 0; x < before.width(); ++x) {
                     if (*sure.at(x, y) == 0 && *most.at(x, y) - *least.at(x, y) > kTorn * *most.at(x, y)) {
-                        *inverseM.at(x, y) = medianAbout(before, x, y, kBeside);
+                        *inverseM.at(x, y) = medianAbout(before, x, y);
                     }
                 }
             }

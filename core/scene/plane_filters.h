@@ -5,6 +5,12 @@
 
 namespace spherewalk::scene {
 
+/// Sizes in pixels are for depths of this width.
+inline constexpr int kUsualWidth = 1024;
+
+/// Neighbours whose 1 / distance differs by more than this share of the greater are torn apart, as in views.
+inline constexpr float kTorn = 0.08F;
+
 /// One value a pixel of an equirectangular picture.
 using Plane = Image<float, 1>;
 

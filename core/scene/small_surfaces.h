@@ -48,13 +48,11 @@ class Surfaces {
                         static_cast<std::size_t>(x);
         const float a = m_inverseM.values()[from];
         const float b = m_inverseM.values()[to];
-        if (m_isSeen[to] == 0 && std::fabs(a - b) < kJump * std::max(a, b)) {
+        if (m_isSeen[to] == 0 && std::fabs(a - b) < kTorn * std::max(a, b)) {
             m_isSeen[to] = 1;
             m_pixels.push_back(to);
         }
     }
-
-    static constexpr float kJump = 0.08F; ///< As views tear surfaces.
 
     const Plane& m_inverseM;
     std::vector<std::uint8_t> m_isSeen;
@@ -64,9 +62,8 @@ class Surfaces {
 /// Calls visit(pixels) for each surface that is too small to stand by itself.
 template <class Visit>
 void forEachSpeck(const Plane& inverseM, const Visit& visit) {
-    constexpr int kFewestTogether = 12; ///< Pixels of a surface, in a depth of the width below.
-    constexpr double kWidth = 1024;
-    const double scale = inverseM.width() / kWidth;
+    constexpr int kFewestTogether = 12; ///< Pixels of a surface, in a depth of the usual width.
+    const double scale = inverseM.width() / double{kUsualWidth};
     const double fewest = std::max(2.0, kFewestTogether * scale * scale);
     Surfaces(inverseM).forEach([&](const std::vector<std::size_t>& pixels) {
         if (static_cast<double>(pixels.size()) < fewest) {
