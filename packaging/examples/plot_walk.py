@@ -4,8 +4,8 @@
 
 Cells begin with "# %%": run them one by one in an editor that knows them (Jupyter, VS Code, Spyder), or all at once:
 
-    spherewalk-cli demo spherewalk-demo
-    python3 plot_walk.py spherewalk-demo walk.png
+    spherewalk-cli demo demo
+    python3 plot_walk.py demo walk.png
 """
 
 # %% Open what `spherewalk-cli demo` left, or your own dataset, camera and path
@@ -17,7 +17,7 @@ import numpy as np
 import spherewalk
 
 arguments = [word for word in sys.argv[1:] if not word.startswith("-")]  # a notebook's own are no concern of ours
-demo = pathlib.Path(arguments[0] if arguments else "spherewalk-demo")
+demo = pathlib.Path(arguments[0] if arguments else "demo")
 out = pathlib.Path(arguments[1] if len(arguments) > 1 else "walk.png")
 
 dataset = spherewalk.Dataset.open(demo / "dataset")
