@@ -136,14 +136,14 @@ class AlignRun {
 
     void findAprilTags() {
         if (m_options.tagSizeM > 0) {
-            ProgressStep step(m_progress, 0.4, 0.6);
+            ProgressStep step(m_progress, 0.28, 0.4);
             m_aprilTags = align::findTags(filesOf(m_all), {m_cacheFolder, m_options.threads}, step, m_stop);
         }
     }
 
     void findFeatures() {
         const auto begin = SteadyClock::now();
-        ProgressStep step(m_progress, 0.02, m_options.tagSizeM > 0 ? 0.4 : 0.6);
+        ProgressStep step(m_progress, 0.02, m_options.tagSizeM > 0 ? 0.28 : 0.4);
         m_features = featuresOf(m_all, m_effort.features, step);
         m_report.fromCache = m_features.fromCache;
         for (std::size_t i = 0; i < m_features.photos.size(); ++i) {
@@ -157,7 +157,7 @@ class AlignRun {
         const auto begin = SteadyClock::now();
         std::vector<Eigen::Vector3d> positions;
         std::ranges::transform(m_priors, std::back_inserter(positions), &align::PhotoPrior::positionM);
-        ProgressStep step(m_progress, 0.6, 0.76);
+        ProgressStep step(m_progress, 0.4, 0.48);
         if (m_by != PlacesBy::Tags) {
             m_retrieval.threads = m_options.threads;
             m_alike = align::likeness(m_features.photos, m_retrieval, step, m_stop);
@@ -171,7 +171,7 @@ class AlignRun {
             m_bearings.push_back(std::move(features.bearings));
         }
         m_features.photos.clear();
-        m_progress.progress(0.76, "Estimating how neighbours are turned to each other");
+        m_progress.progress(0.48, "Estimating how neighbours are turned to each other");
         m_estimates = estimates(m_pairs, m_effort.pair);
         lookWide();
         joinParts(positions);
@@ -198,7 +198,7 @@ class AlignRun {
         const auto loose = align::loosePairs(static_cast<int>(m_photos.size()), m_estimates,
                                              m_effort.features.most / kStrongShare);
         if (!loose.empty() && m_report.effort != align::Effort::Draft) {
-            ProgressStep step(m_progress, 0.76, 0.8);
+            ProgressStep step(m_progress, 0.48, 0.76); // Takes as long as all before.
             matchAgain(loose, align::wideOptions(), step);
             m_report.pairsTriedAgain += loose.size();
         }
@@ -215,7 +215,7 @@ class AlignRun {
         });
         std::stable_partition(efforts.begin(), efforts.end(),
                               [&](align::Effort effort) { return effort > m_report.effort; });
-        double begin = 0.8;
+        double begin = 0.76;
         for (const align::Effort effort : efforts) {
             const align::EffortOptions other = align::optionsFor(effort);
             std::vector<std::pair<int, int>> apart =
@@ -227,8 +227,8 @@ class AlignRun {
                        static_cast<std::size_t>(align::PairOptions().leastInliers); // They show nothing.
             });
             if (!apart.empty()) {
-                ProgressStep step(m_progress, begin, begin + 0.02);
-                begin += 0.02;
+                ProgressStep step(m_progress, begin, begin + 0.03);
+                begin += 0.03;
                 matchAgain(apart, other, step);
                 m_report.pairsTriedAgain += apart.size();
             }
