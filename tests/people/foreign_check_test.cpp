@@ -185,6 +185,15 @@ TEST(ForeignCheck, LeavesPlainWallsAloneHoweverBrightThePhotosAre) {
     EXPECT_TRUE(check.things.empty()) << "photo " << check.things.front().photo;
 }
 
+TEST(ForeignCheck, LeavesARoomAloneThatOneLensShowsBrighter) {
+    PeopledOptions options = large(survey(RoomStyle::Bare, 0.8, false));
+    options.seed = 102;
+    options.lensSigma = 0.12;
+    const ForeignCheck check =
+        foreignThings(solved(test::emptySurvey(options), options.seed), {}, noProgress(), {});
+    EXPECT_TRUE(check.things.empty()) << "photo " << check.things.front().photo;
+}
+
 TEST(ForeignCheck, LeavesRoomsAloneAtTheRimOfASurvey) {
     // In a corner and on both sides of a doorway; and where little is known of plain walls.
     for (const auto& [seed, isReal] : {std::pair(13, true), std::pair(18, false)}) {

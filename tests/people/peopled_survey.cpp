@@ -78,8 +78,26 @@ std::vector<PracticeObject> body(const Eigen::Vector3d& floorM, double scale, Fi
             {Shape::Sphere, up(1.62), scale * Eigen::Vector3d::Constant(0.12), yaw, {205, 160, 130}}};
 }
 
-RgbImage photographed(const PracticeRoom& room, const Rigid3& pose, const practice::PhotoFlaws& flaws,
-                      int shot, int width) {
+/// Makes the front lens brighter than the back one. Pictures change from one lens to the other within some
+/// degrees.
+void brightenFront(double log, RgbImage& picture) {
+    constexpr double kSoftness = 8;
+    for (int x = 0; x < picture.width(); ++x) {
+        const double ahead = -std::cos(2 * kPi * (x + 0.5) / picture.width());
+        const double factor = std::exp(0.5 * log * std::tanh(kSoftness * ahead));
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int c = 0; c < 3; ++c) {
+                std::uint8_t& value = picture.at(x, y)[c];
+                value = static_cast<std::uint8_t>(std::clamp(std::round(factor * value), 0.0, 255.0));
+            }
+        }
+    }
+}
+
+RgbImage photographed(const PracticeRoom& room, const Rigid3& pose, const PeopledOptions& options, int shot) {
+    const practice::PhotoFlaws flaws =
+        options.isReal ? practice::PhotoFlaws::ofARealCamera(options.seed) : practice::PhotoFlaws();
+    const int width = options.width;
     const EquirectSize size{width, width / 2};
     const auto seenFrom = [&](double forwardM) {
         Rigid3 lens = pose;
@@ -89,6 +107,8 @@ RgbImage photographed(const PracticeRoom& room, const Rigid3& pose, const practi
     RgbImage picture = flaws.lensOffsetM > 0
                            ? practice::stitched(seenFrom(flaws.lensOffsetM), seenFrom(-flaws.lensOffsetM))
                            : seenFrom(0);
+    FixedRandom random(options.seed, 777 + static_cast<std::uint64_t>(shot));
+    brightenFront(random.normal(options.lensSigma), picture);
     practice::addFlaws(picture, flaws, shot);
     return picture;
 }
@@ -117,10 +137,6 @@ SeenPerson seen(const PracticeRoom& peopled, const PracticeRoom& room, const Rig
     return person;
 }
 
-practice::PhotoFlaws flawsOf(const PeopledOptions& options) {
-    return options.isReal ? practice::PhotoFlaws::ofARealCamera(options.seed) : practice::PhotoFlaws();
-}
-
 } // namespace
 
 std::vector<PeopledPhoto> emptySurvey(const PeopledOptions& options) {
@@ -129,12 +145,11 @@ std::vector<PeopledPhoto> emptySurvey(const PeopledOptions& options) {
     practice::PhotoErrors errors;
     errors.tiltSigma = Degrees(options.tiltDeg);
     errors.seed = options.seed;
-    const practice::PhotoFlaws flaws = flawsOf(options);
     std::vector<PeopledPhoto> photos;
     for (const Eigen::Vector3d& at : places(room, options)) {
         const int shot = static_cast<int>(photos.size());
         photos.push_back({{}, errors.truePose(at, shot), at, {}});
-        photos.back().picture = photographed(room, photos.back().truth, flaws, shot, options.width);
+        photos.back().picture = photographed(room, photos.back().truth, options, shot);
     }
     return photos;
 }
@@ -142,7 +157,6 @@ std::vector<PeopledPhoto> emptySurvey(const PeopledOptions& options) {
 void addPersons(const PeopledOptions& options, std::vector<PeopledPhoto>& photos) {
     const PracticeRoomOptions plain = roomOptions(options.room);
     const PracticeRoom room(plain);
-    const practice::PhotoFlaws flaws = flawsOf(options);
     FixedRandom random(options.seed, 7);
     int shown = 0;
     for (int tries = 0; shown < options.peopled * static_cast<double>(photos.size()) && tries < 400;
@@ -177,8 +191,7 @@ void addPersons(const PeopledOptions& options, std::vector<PeopledPhoto>& photos
             SeenPerson person = seen(peopled, room, photos[i].truth, floorM);
             person.photos = static_cast<int>(group.size());
             photos[i].person = person;
-            photos[i].picture =
-                photographed(peopled, photos[i].truth, flaws, static_cast<int>(i), options.width);
+            photos[i].picture = photographed(peopled, photos[i].truth, options, static_cast<int>(i));
             ++shown;
         }
     }

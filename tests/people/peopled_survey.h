@@ -21,6 +21,7 @@ struct PeopledOptions {
     double peopled = 0;   ///< Share of the photos that show somebody.
     int width = 1024;
     std::uint64_t seed = 1;
+    double lensSigma = 0; ///< Standard deviation of the logarithm by which one lens is brighter, each photo.
 };
 
 /// A person as one photo shows them.

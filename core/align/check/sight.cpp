@@ -91,12 +91,31 @@ cv::Mat burntOut(const cv::Mat& picture) {
     return burnt;
 }
 
-SoftPicture softened(const RgbImage& picture, const std::array<double, 3>& gains) {
+cv::Mat multiplied(const cv::Mat& picture, const GainField& gains) {
+    cv::Mat product(picture.size(), CV_8UC3);
+    for (int y = 0; y < picture.rows; ++y) {
+        for (int x = 0; x < picture.cols; ++x) {
+            const float azimuth =
+                kSightPi - 2 * kSightPi * (static_cast<float>(x) + 0.5F) / static_cast<float>(picture.cols);
+            const float elevation =
+                kSightPi / 2 - kSightPi * (static_cast<float>(y) + 0.5F) / static_cast<float>(picture.rows);
+            const Eigen::Vector3f gain =
+                gains.at({std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                          std::sin(elevation)});
+            for (int c = 0; c < 3; ++c) {
+                product.at<cv::Vec3b>(y, x)[c] =
+                    cv::saturate_cast<std::uint8_t>(gain[c] * picture.at<cv::Vec3b>(y, x)[c]);
+            }
+        }
+    }
+    return product;
+}
+
+SoftPicture softened(const RgbImage& picture, const GainField& gains) {
     const cv::Mat sharp(picture.height(), picture.width(), CV_8UC3,
                         const_cast<std::uint8_t*>(picture.values().data()));
     cv::Mat soft;
-    cv::multiply(sharp, cv::Scalar(gains[0], gains[1], gains[2]), soft);
-    cv::blur(soft, soft, {3, 3});
+    cv::blur(multiplied(sharp, gains), soft, {3, 3});
     cv::Mat least;
     cv::Mat top = soft.clone();
     top.setTo(cv::Scalar::all(255), burntOut(sharp));
@@ -116,7 +135,7 @@ SoftPicture softened(const RgbImage& picture, const std::array<double, 3>& gains
 
 } // namespace
 
-std::vector<SoftPicture> softened(std::span<const SightPhoto> photos, const PhotoGains& gains) {
+std::vector<SoftPicture> softened(std::span<const SightPhoto> photos, std::span<const GainField> gains) {
     std::vector<SoftPicture> all(photos.size());
     for (std::size_t i = 0; i < photos.size(); ++i) {
         if (!photos[i].picture.empty()) {

@@ -80,14 +80,27 @@ struct CellSight {
 /// A photo with what its neighbours say of it. Empty if the photo has no picture, pose or neighbours.
 using PhotoSight = std::vector<CellSight>;
 
-/// The gains that make the photos' colours alike, one for each photo and channel.
-using PhotoGains = std::vector<std::array<double, 3>>;
+/// What makes the colours of a photo like those of the others: a factor for each direction and channel, which
+/// changes slowly from one direction to the next. Two lenses are not equally bright, and neither are two
+/// photos of a room in which a lamp was lit in between.
+struct GainField {
+    static constexpr int kTerms = 9;
+    using Terms = Eigen::Matrix<float, kTerms, 1>;
+
+    Eigen::Matrix<float, 3, kTerms> logs = Eigen::Matrix<float, 3, kTerms>::Zero(); ///< A row a channel.
+
+    /// What is multiplied with logs: 1, the three coordinates and their products, of about equal size.
+    static Terms terms(const Eigen::Vector3f& directionInPhoto);
+    Eigen::Vector3f at(const Eigen::Vector3f& directionInPhoto) const;
+};
 
 /// They are measured where photos show the same point of the room: equal directions of photos that stand
 /// apart show different things, which need not be equally bright. Such points are found without the gains.
-/// Source: medians of the ratios of photos that stand near each other, averaged over the survey.
-PhotoGains gainsOf(std::span<const SightPhoto> photos, std::span<const std::vector<int>> neighbours,
-                   int threads, const std::stop_token& stop);
+/// Source: medians of the ratios of photos that stand near each other, averaged over the survey; then least
+/// squares of what the points say beyond them, as far as it changes slowly.
+std::vector<GainField> gainsOf(std::span<const SightPhoto> photos,
+                               std::span<const std::vector<int>> neighbours, int threads,
+                               const std::stop_token& stop);
 
 /// A pixel, and what lies between it and the pixels around it: a byte for each channel. Where the photo is
 /// burnt out, the true value may be any that is greater.
@@ -101,7 +114,7 @@ struct SoftPixel {
 using SoftPicture = std::vector<SoftPixel>;
 
 /// The same pictures, softened, and with their gains.
-std::vector<SoftPicture> softened(std::span<const SightPhoto> photos, const PhotoGains& gains);
+std::vector<SoftPicture> softened(std::span<const SightPhoto> photos, std::span<const GainField> gains);
 
 /// Compares one photo with its neighbours at all levels. pictures: as softened() makes them.
 PhotoSight sightOf(int photo, std::span<const SightPhoto> photos, std::span<const SoftPicture> pictures,

@@ -5,7 +5,10 @@
 #include "spherewalk/base/progress.h"
 #include "spherewalk/base/statistics.h"
 
+#include <Eigen/Cholesky>
 #include <opencv2/imgproc.hpp>
+
+#include <iterator>
 
 namespace spherewalk::align {
 
@@ -112,6 +115,7 @@ cv::Mat middleOf(const std::vector<Fit>& fits) {
 /// Where a photo shows points whose distance its neighbours tell, and how each neighbour fits there.
 struct Points {
     cv::Mat is;    ///< 255 for a point.
+    cv::Mat level; ///< Its distance.
     cv::Mat limit; ///< A neighbour with a smaller variance shows the point too.
     std::vector<Fit> fits;
 };
@@ -132,11 +136,13 @@ Points pointsOf(std::size_t photo, std::span<const SightPhoto> photos, std::span
         ofLevel.push_back(middleOf(fits));
         if (level == 0) {
             least = ofLevel[0].clone();
+            points.level = cv::Mat(kRows, kColumns, CV_8U, cv::Scalar(0));
             points.fits = std::move(fits);
             continue;
         }
         const cv::Mat isBetter = ofLevel.back() < least;
         ofLevel.back().copyTo(least, isBetter);
+        points.level.setTo(level, isBetter);
         for (std::size_t j = 0; j < fits.size(); ++j) {
             fits[j].ratio.copyTo(points.fits[j].ratio, isBetter);
             fits[j].variance.copyTo(points.fits[j].variance, isBetter);
@@ -155,13 +161,64 @@ Points pointsOf(std::size_t photo, std::span<const SightPhoto> photos, std::span
     return points;
 }
 
+/// A point that two photos show.
+struct SharedPoint {
+    Eigen::Vector3f directionInA = Eigen::Vector3f::Zero();
+    Eigen::Vector3f directionInB = Eigen::Vector3f::Zero();
+    Eigen::Vector3f log = Eigen::Vector3f::Zero(); ///< How much brighter a shows it, of each channel.
+};
+
+using TermProducts = Eigen::Matrix<double, GainField::kTerms, GainField::kTerms>;
+using FieldTerms = Eigen::Matrix<double, GainField::kTerms, 3>; ///< A column a channel.
+
 /// How much brighter a photo is than one of its neighbours.
 struct Ratio {
     std::size_t a = 0;
     std::size_t b = 0;
-    std::array<double, 3> log{};
+    Eigen::Vector3d log = Eigen::Vector3d::Zero(); ///< The median.
     double points = 0;
+    /// Normal equations of what is beyond the median, as fields of a and of b.
+    TermProducts aa = TermProducts::Zero();
+    TermProducts ab = TermProducts::Zero();
+    TermProducts bb = TermProducts::Zero();
+    FieldTerms ofA = FieldTerms::Zero();
+    FieldTerms ofB = FieldTerms::Zero();
 };
+
+Ratio ratioOf(std::size_t a, std::size_t b, const std::vector<SharedPoint>& shared) {
+    constexpr double kLight = 0.1; ///< What lies farther from the median has another reason than light.
+    constexpr double kSigmas = 3;
+    Ratio ratio;
+    ratio.a = a;
+    ratio.b = b;
+    ratio.points = static_cast<double>(shared.size());
+    if (shared.empty()) {
+        return ratio;
+    }
+    Eigen::Vector3d most;
+    for (int c = 0; c < 3; ++c) {
+        std::vector<double> values;
+        std::ranges::transform(shared, std::back_inserter(values),
+                               [c](const SharedPoint& point) { return double{point.log[c]}; });
+        const MedianAndSpread<double> middle = medianAndSpread(std::move(values));
+        ratio.log[c] = middle.median;
+        most[c] = std::max(kLight, kSigmas * middle.sigma);
+    }
+    for (const SharedPoint& point : shared) {
+        const Eigen::Vector3d beyond = point.log.cast<double>() - ratio.log;
+        if ((beyond.array().abs() > most.array()).any()) {
+            continue;
+        }
+        const auto inA = GainField::terms(point.directionInA).cast<double>().eval();
+        const auto inB = GainField::terms(point.directionInB).cast<double>().eval();
+        ratio.aa += inA * inA.transpose();
+        ratio.ab += inA * inB.transpose();
+        ratio.bb += inB * inB.transpose();
+        ratio.ofA += inA * beyond.transpose();
+        ratio.ofB += inB * beyond.transpose();
+    }
+    return ratio;
+}
 
 /// The ratios of one photo to its neighbours.
 std::vector<Ratio> ratiosOf(std::size_t photo, std::span<const SightPhoto> photos,
@@ -172,63 +229,117 @@ std::vector<Ratio> ratiosOf(std::size_t photo, std::span<const SightPhoto> photo
     }
     const Points points = pointsOf(photo, photos, logs, neighbours);
     for (std::size_t j = 0; j < neighbours.size(); ++j) {
+        const auto other = static_cast<std::size_t>(neighbours[j]);
+        const Rigid3 otherFromOwn = photos[other].roomFromPhoto->inverse() * *photos[photo].roomFromPhoto;
+        const Eigen::Matrix3f turn = otherFromOwn.rotation.matrix().cast<float>();
+        const Eigen::Vector3f shift = otherFromOwn.translation.cast<float>();
         const cv::Mat isShown = points.is & (points.fits[j].variance < points.limit);
-        std::array<std::vector<double>, 3> values;
+        std::vector<SharedPoint> shared;
         for (int row = 0; row < kRows; ++row) {
             for (int column = 0; column < kColumns; ++column) {
-                for (std::size_t c = 0; c < 3 && isShown.at<std::uint8_t>(row, column) != 0; ++c) {
-                    values[c].push_back(points.fits[j].ratio.at<cv::Vec4f>(row, column)[static_cast<int>(c)]);
+                if (isShown.at<std::uint8_t>(row, column) != 0) {
+                    const Eigen::Vector3f ray = sightDirection(kStep * row, kStep * column);
+                    const auto inverse =
+                        static_cast<float>(inverseOf(points.level.at<std::uint8_t>(row, column)));
+                    const cv::Vec4f& log = points.fits[j].ratio.at<cv::Vec4f>(row, column);
+                    shared.push_back(
+                        {ray, (turn * ray + inverse * shift).normalized(), {log[0], log[1], log[2]}});
                 }
             }
         }
-        Ratio ratio{
-            photo, static_cast<std::size_t>(neighbours[j]), {}, static_cast<double>(values[0].size())};
-        std::ranges::transform(values, ratio.log.begin(), [](auto& of) { return median(std::move(of)); });
-        ratios.push_back(ratio);
+        ratios.push_back(ratioOf(photo, other, shared));
     }
     return ratios;
 }
 
+/// One gain for each photo and channel.
+std::vector<Eigen::Vector3d> evenGains(std::size_t photos, const std::vector<Ratio>& ratios) {
+    std::vector<Eigen::Vector3d> gains(photos, Eigen::Vector3d::Zero());
+    constexpr int kRounds = 30;
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<Eigen::Vector3d> sums(photos, Eigen::Vector3d::Zero());
+        std::vector<double> points(photos, 0);
+        for (const Ratio& ratio : ratios) {
+            sums[ratio.a] += ratio.points * (gains[ratio.b] + ratio.log);
+            sums[ratio.b] += ratio.points * (gains[ratio.a] - ratio.log);
+            points[ratio.a] += ratio.points;
+            points[ratio.b] += ratio.points;
+        }
+        for (std::size_t i = 0; i < photos; ++i) {
+            if (points[i] > 0) {
+                gains[i] = 0.5 * (gains[i] + sums[i] / points[i]); // Half the way: it never swings.
+            }
+        }
+    }
+    return gains;
+}
+
+/// What the points say beyond the even gains, as far as it changes slowly. Nothing where there are few: a
+/// person before a plain wall is no reason to call the wall darker.
+std::vector<FieldTerms> slowGains(std::size_t photos, const std::vector<Ratio>& ratios,
+                                  const std::vector<Eigen::Vector3d>& even) {
+    constexpr double kPrior = 100; ///< So many points weigh as much as that there is nothing.
+    constexpr int kRounds = 20;
+    std::vector<TermProducts> products(photos, kPrior * TermProducts::Identity());
+    for (const Ratio& ratio : ratios) {
+        products[ratio.a] += ratio.aa;
+        products[ratio.b] += ratio.bb;
+    }
+    std::vector<FieldTerms> fields(photos, FieldTerms::Zero());
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<FieldTerms> sides(photos, FieldTerms::Zero());
+        for (const Ratio& ratio : ratios) {
+            // The even gains of a survey are not the medians of each pair.
+            const Eigen::RowVector3d more = (ratio.log - even[ratio.a] + even[ratio.b]).transpose();
+            sides[ratio.a] += ratio.ofA + ratio.aa.col(0) * more + ratio.ab * fields[ratio.b];
+            sides[ratio.b] -= ratio.ofB + ratio.bb.col(0) * more - ratio.ab.transpose() * fields[ratio.a];
+        }
+        for (std::size_t i = 0; i < photos; ++i) {
+            fields[i] = 0.5 * (fields[i] + FieldTerms(products[i].llt().solve(sides[i])));
+        }
+    }
+    return fields;
+}
+
 } // namespace
 
-PhotoGains gainsOf(std::span<const SightPhoto> photos, std::span<const std::vector<int>> neighbours,
-                   int threads, const std::stop_token& stop) {
+GainField::Terms GainField::terms(const Eigen::Vector3f& d) {
+    const float x = d.x();
+    const float y = d.y();
+    const float z = d.z();
+    Terms terms;
+    terms << 1, x, y, z, 2 * x * y, 2 * y * z, 2 * z * x, x * x - y * y, 1.5F * z * z - 0.5F;
+    return terms;
+}
+
+Eigen::Vector3f GainField::at(const Eigen::Vector3f& directionInPhoto) const {
+    return (logs * terms(directionInPhoto)).array().exp();
+}
+
+std::vector<GainField> gainsOf(std::span<const SightPhoto> photos,
+                               std::span<const std::vector<int>> neighbours, int threads,
+                               const std::stop_token& stop) {
     std::vector<cv::Mat> logs(photos.size());
     for (std::size_t i = 0; i < photos.size(); ++i) {
         logs[i] = photos[i].picture.empty() ? cv::Mat() : logarithmsOf(photos[i].picture);
     }
-    std::vector<std::vector<Ratio>> ratios(photos.size());
+    std::vector<std::vector<Ratio>> ofPhotos(photos.size());
     parallelFor(static_cast<int>(photos.size()), 1, threads, [&](int begin, int end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
             throwIfStopped(stop);
-            ratios[i] = ratiosOf(i, photos, logs, neighbours[i]);
+            ofPhotos[i] = ratiosOf(i, photos, logs, neighbours[i]);
         }
     });
-    PhotoGains gains(photos.size(), {0, 0, 0});
-    constexpr int kRounds = 30;
-    for (int round = 0; round < kRounds; ++round) {
-        PhotoGains sums(photos.size(), {0, 0, 0});
-        std::vector<double> points(photos.size(), 0);
-        for (const std::vector<Ratio>& ofPhoto : ratios) {
-            for (const Ratio& ratio : ofPhoto) {
-                for (std::size_t c = 0; c < 3; ++c) {
-                    sums[ratio.a][c] += ratio.points * (gains[ratio.b][c] + ratio.log[c]);
-                    sums[ratio.b][c] += ratio.points * (gains[ratio.a][c] - ratio.log[c]);
-                }
-                points[ratio.a] += ratio.points;
-                points[ratio.b] += ratio.points;
-            }
-        }
-        for (std::size_t i = 0; i < photos.size(); ++i) {
-            for (std::size_t c = 0; c < 3 && points[i] > 0; ++c) {
-                gains[i][c] = 0.5 * (gains[i][c] + sums[i][c] / points[i]); // Half the way: it never swings.
-            }
-        }
+    std::vector<Ratio> ratios;
+    for (std::vector<Ratio>& ofPhoto : ofPhotos) {
+        std::ranges::move(ofPhoto, std::back_inserter(ratios));
     }
-    for (auto& photo : gains) {
-        for (double& value : photo) {
-            value = std::exp(-value);
-        }
+    const std::vector<Eigen::Vector3d> even = evenGains(photos.size(), ratios);
+    const std::vector<FieldTerms> slow = slowGains(photos.size(), ratios, even);
+    std::vector<GainField> gains(photos.size());
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        gains[i].logs = -slow[i].transpose().cast<float>();
+        gains[i].logs.col(0) -= even[i].cast<float>();
     }
     return gains;
 }
