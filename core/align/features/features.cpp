@@ -33,14 +33,11 @@ constexpr std::array<Squeeze, 4> kSqueezes{{{1.6, 1}, {2.5, 1}, {1, 1.6}, {1, 2.
 constexpr double kOneThingPx = 3;     ///< Features of several views within this distance show one thing.
 constexpr double kMaskedAround = 1.5; ///< In diameters of a spot: a mask's edge must not look like a thing.
 
-/// A piece of a view that is searched in one go, with a margin.
+/// What was found in a piece of a view. One entry a feature.
 struct Tile {
-    GreyImage picture;
-    int left = 0; ///< Place of the picture in the view.
-    int top = 0;
-    std::vector<Keypoint> keypoints; ///< The keypoints worth describing.
-    std::vector<Spot> spots;         ///< One a keypoint.
-    std::vector<float> sigmasRad;    ///< One a keypoint.
+    std::vector<Spot> spots;
+    std::vector<float> sigmasRad;
+    std::vector<std::uint8_t> descriptors;
 };
 
 GreyImage cut(const GreyImage& from, int left, int top, int width, int height) {
@@ -133,20 +130,19 @@ class FeatureFinder {
                 }
             }
         }
-        return described(tiles);
+        return selected(tiles);
     }
 
     /// Searches the tile that owns [left, right) x [top, bottom) of the view.
     Tile searched(const SphereView& view, int left, int right, int top, int bottom) const {
         constexpr int kMargin = SphereView::kMargin;
+        const DescribedKeypoints found =
+            m_detector.find(cut(view.picture(), left - kMargin, top - kMargin, right - left + 2 * kMargin,
+                                bottom - top + 2 * kMargin));
         Tile tile;
-        tile.left = left - kMargin;
-        tile.top = top - kMargin;
-        tile.picture =
-            cut(view.picture(), tile.left, tile.top, right - left + 2 * kMargin, bottom - top + 2 * kMargin);
-        for (Keypoint& keypoint : m_detector.find(tile.picture)) {
-            const double x = keypoint.x + tile.left;
-            const double y = keypoint.y + tile.top;
+        for (const Keypoint& keypoint : found.keypoints) {
+            const double x = keypoint.x + left - kMargin;
+            const double y = keypoint.y + top - kMargin;
             if (keypoint.sizePx > kLargestPx || x < left - 0.5 || x >= right - 0.5 || y < top - 0.5 ||
                 y >= bottom - 0.5 || !view.owns(x, y)) {
                 continue;
@@ -157,11 +153,9 @@ class FeatureFinder {
                             Radians(kMaskedAround * keypoint.sizePx * pixelRad))) {
                 continue;
             }
-            if (m_options.isUpright) {
-                const double degrees = Degrees(view.up(x, y)).value();
-                keypoint.angleDeg = static_cast<float>(degrees < 0 ? degrees + 360 : degrees);
-            }
-            tile.keypoints.push_back(keypoint);
+            const std::uint8_t* descriptor = found.descriptor(keypoint.row, m_detector.descriptorBytes());
+            tile.descriptors.insert(tile.descriptors.end(), descriptor,
+                                    descriptor + m_detector.descriptorBytes());
             tile.spots.push_back({bearing, keypoint.response, kOwnPx * pixelRad});
             tile.sigmasRad.push_back(
                 static_cast<float>(std::hypot(m_detector.sigmaPx(keypoint) * pixelRad, m_leastSigmaRad)));
@@ -169,40 +163,38 @@ class FeatureFinder {
         return tile;
     }
 
-    Features described(const std::vector<Tile>& tiles) const {
+    Features selected(const std::vector<Tile>& tiles) const {
         std::vector<Spot> spots;
         for (const Tile& tile : tiles) {
             spots.insert(spots.end(), tile.spots.begin(), tile.spots.end());
         }
-        const std::vector<int> selected = evenSelection(spots, m_options.most);
+        const std::vector<int> chosen = evenSelection(spots, m_options.most);
         Features features;
         features.detector = m_options.detector;
-        if (selected.empty()) {
+        if (chosen.empty()) {
             return features;
         }
         std::vector<int> placeOf(spots.size(), -1);
-        for (std::size_t i = 0; i < selected.size(); ++i) {
-            placeOf[static_cast<std::size_t>(selected[i])] = static_cast<int>(i);
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            placeOf[static_cast<std::size_t>(chosen[i])] = static_cast<int>(i);
         }
         features.descriptorBytes = m_detector.descriptorBytes();
-        features.bearings.resize(selected.size());
-        features.sigmasRad.resize(selected.size());
-        features.responses.resize(selected.size());
-        features.descriptors.resize(selected.size() * static_cast<std::size_t>(features.descriptorBytes));
+        features.bearings.resize(chosen.size());
+        features.sigmasRad.resize(chosen.size());
+        features.responses.resize(chosen.size());
+        features.descriptors.resize(chosen.size() * static_cast<std::size_t>(features.descriptorBytes));
         const int* places = placeOf.data();
         for (const Tile& tile : tiles) {
-            throwIfStopped(m_stop);
-            describe(tile, places, features);
+            take(tile, places, features);
             places += tile.spots.size();
         }
         return features;
     }
 
-    /// places: the place of each of the tile's keypoints among the features; -1 if it has none.
-    void describe(const Tile& tile, const int* places, Features& features) const {
-        std::vector<Keypoint> asked;
-        std::vector<std::size_t> to;
-        for (std::size_t i = 0; i < tile.keypoints.size(); ++i) {
+    /// places: the place of each of the tile's spots among the features; -1 if it has none.
+    static void take(const Tile& tile, const int* places, Features& features) {
+        const auto bytes = static_cast<std::size_t>(features.descriptorBytes);
+        for (std::size_t i = 0; i < tile.spots.size(); ++i) {
             if (places[i] < 0) {
                 continue;
             }
@@ -210,16 +202,8 @@ class FeatureFinder {
             features.bearings[place] = tile.spots[i].bearing.cast<float>();
             features.sigmasRad[place] = tile.sigmasRad[i];
             features.responses[place] = tile.spots[i].response;
-            asked.push_back(tile.keypoints[i]);
-            to.push_back(place);
-        }
-        if (asked.empty()) {
-            return;
-        }
-        const std::vector<std::uint8_t> descriptors = m_detector.describe(tile.picture, asked);
-        const auto bytes = static_cast<std::size_t>(features.descriptorBytes);
-        for (std::size_t i = 0; i < to.size(); ++i) {
-            std::memcpy(features.descriptors.data() + to[i] * bytes, descriptors.data() + i * bytes, bytes);
+            std::memcpy(features.descriptors.data() + place * bytes, tile.descriptors.data() + i * bytes,
+                        bytes);
         }
     }
 

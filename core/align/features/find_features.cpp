@@ -145,9 +145,8 @@ constexpr std::uint64_t kMostFileBytes = 16 << 20;
 std::string settingsText(const FeatureOptions& options, const MaskImage& mask) {
     return text("method ", kMethod, " detector ", std::string(name(options.detector)), " width ",
                 options.width, " most ", options.most, " contrast ", options.leastContrast, " lowest ",
-                options.lowestElevation.value(), " zenith ", static_cast<int>(options.usesZenith),
-                " upright ", static_cast<int>(options.isUpright), " wide ", static_cast<int>(options.isWide),
-                " mask ", mask.width(), " x ", mask.height(), " ",
+                options.lowestElevation.value(), " zenith ", static_cast<int>(options.usesZenith), " wide ",
+                static_cast<int>(options.isWide), " mask ", mask.width(), " x ", mask.height(), " ",
                 mask.empty() ? std::string("none") : sha256Hex(mask.values()));
 }
 

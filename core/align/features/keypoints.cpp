@@ -96,14 +96,17 @@ int KeypointDetector::descriptorBytes() const {
     return 32;
 }
 
-std::vector<Keypoint> KeypointDetector::find(const GreyImage& picture) const {
+DescribedKeypoints KeypointDetector::find(const GreyImage& picture) const {
     std::vector<cv::KeyPoint> found;
-    translated([&] { m_state->detector->detect(matrixOf(picture), found); });
-    std::vector<Keypoint> keypoints;
-    keypoints.reserve(found.size());
+    cv::Mat rows;
+    translated([&] { m_state->detector->detectAndCompute(matrixOf(picture), cv::noArray(), found, rows); });
+    const auto bytes = static_cast<std::size_t>(descriptorBytes());
+    DescribedKeypoints result;
+    result.keypoints.reserve(found.size());
+    result.descriptors.resize(found.size() * bytes);
     for (const cv::KeyPoint& each : found) {
-        Keypoint keypoint{each.pt.x, each.pt.y, each.size, each.response, each.angle,
-                          each.pt.x, each.pt.y, each.size, each.octave,   each.class_id};
+        const auto row = static_cast<int>(result.keypoints.size());
+        Keypoint keypoint{each.pt.x, each.pt.y, each.size, each.response, each.angle, each.octave, row};
         if (m_state->kind == Detector::Sift) {
             keypoint.x -= 0.25; // It doubles the picture about pixel corners and halves about centres.
             keypoint.y -= 0.25;
@@ -112,35 +115,17 @@ std::vector<Keypoint> KeypointDetector::find(const GreyImage& picture) const {
             keypoint.x = fromOrbLevel(each.pt.x, each.octave, picture.width());
             keypoint.y = fromOrbLevel(each.pt.y, each.octave, picture.height());
         }
-        keypoints.push_back(keypoint);
-    }
-    std::sort(keypoints.begin(), keypoints.end(), [](const Keypoint& a, const Keypoint& b) {
-        return std::tie(a.y, a.x, a.sizePx, a.angleDeg, a.response) <
-               std::tie(b.y, b.x, b.sizePx, b.angleDeg, b.response);
-    });
-    return keypoints;
-}
-
-std::vector<std::uint8_t> KeypointDetector::describe(const GreyImage& picture,
-                                                     const std::vector<Keypoint>& keypoints) const {
-    std::vector<cv::KeyPoint> asked;
-    for (const Keypoint& each : keypoints) {
-        // OpenCV may reorder the keypoints and drop some; the response passes through and holds the place.
-        asked.emplace_back(each.rawX, each.rawY, each.rawSizePx, each.angleDeg,
-                           static_cast<float>(asked.size()), each.octave, each.level);
-    }
-    cv::Mat rows;
-    translated([&] { m_state->detector->compute(matrixOf(picture), asked, rows); });
-    const auto bytes = static_cast<std::size_t>(descriptorBytes());
-    std::vector<std::uint8_t> descriptors(keypoints.size() * bytes);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        std::uint8_t* to = descriptors.data() + static_cast<std::size_t>(asked[i].response) * bytes;
-        std::memcpy(to, rows.ptr(static_cast<int>(i)), std::min(bytes, static_cast<std::size_t>(rows.cols)));
+        result.keypoints.push_back(keypoint);
+        std::uint8_t* to = result.descriptors.data() + static_cast<std::size_t>(row) * bytes;
+        std::memcpy(to, rows.ptr(row), std::min(bytes, static_cast<std::size_t>(rows.cols)));
         if (m_state->kind == Detector::Sift) {
             toRoots(to, static_cast<int>(bytes));
         }
     }
-    return descriptors;
+    std::ranges::sort(result.keypoints, {}, [](const Keypoint& each) {
+        return std::tie(each.y, each.x, each.sizePx, each.angleDeg, each.response);
+    });
+    return result;
 }
 
 double KeypointDetector::sigmaPx(const Keypoint& keypoint) const {

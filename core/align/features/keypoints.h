@@ -27,11 +27,17 @@ struct Keypoint {
     float sizePx = 0; ///< Diameter of the spot.
     float response = 0;
     float angleDeg = 0; ///< Direction of the strongest gradient, from +x to +y.
-    float rawX = 0;     ///< Position as the detector counts it; the descriptor needs it so.
-    float rawY = 0;
-    float rawSizePx = 0;
-    int octave = 0; ///< The detector's own mark of the scale.
-    int level = 0;
+    int octave = 0;     ///< The detector's own mark of the scale.
+    int row = 0;        ///< Of the descriptor.
+};
+
+struct DescribedKeypoints {
+    std::vector<Keypoint> keypoints;       ///< In an order that depends on the picture alone.
+    std::vector<std::uint8_t> descriptors; ///< In rows of as many bytes as the detector's have.
+
+    const std::uint8_t* descriptor(int row, int bytes) const {
+        return descriptors.data() + static_cast<std::ptrdiff_t>(row) * bytes;
+    }
 };
 
 /// One of OpenCV's detectors, freed of its systematic shifts of position. Errors: Internal for what OpenCV
@@ -42,12 +48,8 @@ class KeypointDetector {
     ~KeypointDetector();
 
     int descriptorBytes() const;
-    /// The keypoints in an order that depends on the picture alone.
-    std::vector<Keypoint> find(const GreyImage& picture) const;
-    /// The descriptors one after the other, descriptorBytes() each. A keypoint that the detector refuses to
-    /// describe gets zeros.
-    std::vector<std::uint8_t> describe(const GreyImage& picture,
-                                       const std::vector<Keypoint>& keypoints) const;
+    /// All are described, since the picture's scales, which take longest, are then made once.
+    DescribedKeypoints find(const GreyImage& picture) const;
     /// Standard deviation of a keypoint's position along x or y, in pixels, by its size. Source: measured on
     /// pictures with known poses.
     double sigmaPx(const Keypoint& keypoint) const;

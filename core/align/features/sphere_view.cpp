@@ -230,14 +230,6 @@ double SphereView::pixelRad(double x, double y) const {
     return 1 / (std::min(pixelsPerRad(), m_perRadDown) * shrinks);
 }
 
-Radians SphereView::up(double x, double y) const {
-    if (m_part == Part::Band) {
-        return Radians(-kPi / 2);
-    }
-    const Eigen::Vector2d away = (m_part == Part::Zenith ? -1 : 1) * onPlane(x, y);
-    return Radians(std::atan2(away.y(), away.x()));
-}
-
 bool SphereView::owns(double x, double y) const {
     const double height = std::asin(std::clamp(bearing(x, y).z(), -1.0, 1.0));
     if (m_part != Part::Band) {

@@ -44,8 +44,6 @@ class SphereView {
     Eigen::Vector3d bearing(double x, double y) const;
     /// The angle that a pixel's side spans at this place, the longer one of a squeezed view.
     double pixelRad(double x, double y) const;
-    /// The direction of the zenith in the picture at this place, as an angle from +x to +y.
-    Radians up(double x, double y) const;
     /// Whether the view owns this place: no other view has it, and no second pixel of this view shows it.
     bool owns(double x, double y) const;
 

@@ -129,7 +129,7 @@ TEST(SphereViews, OwnEveryDirectionOfTheSphereOnce) {
     EXPECT_NEAR(owned, 4 * std::numbers::pi, 0.01 * 4 * std::numbers::pi);
 }
 
-TEST(SphereViews, DistortNoAnglesAndKnowWhereUpIs) {
+TEST(SphereViews, DistortNoAngles) {
     test::Random random(705);
     SCOPED_TRACE(random.seed());
     constexpr double kStepPx = 0.01;
@@ -146,12 +146,6 @@ TEST(SphereViews, DistortNoAnglesAndKnowWhereUpIs) {
             EXPECT_NEAR(right.norm() / side, 1, 1e-3);
             EXPECT_NEAR(down.norm() / side, 1, 1e-3);
             EXPECT_NEAR(right.dot(down) / (side * side), 0, 1e-3);
-            if (middle.head<2>().norm() < 0.05) {
-                continue; // at a pole there is no direction up
-            }
-            const double up = view.up(x, y).value();
-            const Vector3d upwards = std::cos(up) * right + std::sin(up) * down;
-            EXPECT_NEAR(upwards.z() / side, middle.head<2>().norm(), 1e-2);
         }
     }
 }

@@ -169,25 +169,6 @@ TEST(Features, OfAJpegDecodedSmallAreThoseOfThePicture) {
         0.8);
 }
 
-/// "Up" is another direction in the zenith's picture for each yaw; the descriptors must not know.
-TEST(Features, ThatAreUprightMatchWhateverTheYaw) {
-    FeatureOptions options = smallOptions();
-    options.isUpright = true;
-    const Eigen::Quaterniond turned = turnBy(73, Eigen::Vector3d::UnitZ());
-    const Features a = detectFeatures(noisePhoto(Eigen::Quaterniond::Identity()), options);
-    const Features b = detectFeatures(noisePhoto(turned), options);
-    int atHorizon = 0;
-    int atZenith = 0;
-    for (const Correspondence& match : matchFeatures(a, b, {})) {
-        if ((match.inA - turned * match.inB).norm() < 5 * match.sigmaRad) {
-            atHorizon += match.inA.z() < 0.7 ? 1 : 0;
-            atZenith += match.inA.z() > 0.85 ? 1 : 0;
-        }
-    }
-    EXPECT_GT(atHorizon, 200);
-    EXPECT_GT(atZenith, 20);
-}
-
 TEST(Features, AreTheSameEachTime) {
     const RgbImage photo = noisePhoto(Eigen::Quaterniond::Identity());
     EXPECT_EQ(detectFeatures(photo, smallOptions()), detectFeatures(photo, smallOptions()));

@@ -82,7 +82,7 @@ TEST(FeatureCache, TellsPhotosOptionsAndMasksApart) {
     options.most = 1999;
     EXPECT_FALSE(FeatureCache(folder.path(), options).find(kPhoto));
     options = {};
-    options.isUpright = true;
+    options.isWide = true;
     EXPECT_FALSE(FeatureCache(folder.path(), options).find(kPhoto));
     MaskImage mask(8, 4);
     EXPECT_FALSE(FeatureCache(folder.path(), {}, mask).find(kPhoto));

@@ -27,9 +27,6 @@ struct FeatureOptions {
     double leastContrast = 0.03;            ///< For SIFT: share of the range from black to white.
     Radians lowestElevation = Degrees(-50); ///< The rail and the operator's legs lie below.
     bool usesZenith = true;                 ///< Whether the part above 53 degrees is used too.
-    /// Descriptors hold the direction "up" instead of the strongest gradient's: they tell more things apart,
-    /// but only between photos that stand upright within some 15 degrees.
-    bool isUpright = false;
     /// Flat things are described as they look from aslant, too: on views squeezed 1.6 and 2.5 times, across
     /// and upright, each with `most` features. Photos metres apart then share two or three times as much.
     /// Three times the work. Source: Morel and Yu, ASIFT, 2009.
