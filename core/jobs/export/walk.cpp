@@ -115,7 +115,7 @@ constexpr int kSheetColumns = 6;
 constexpr int kSheetCellWidth = 320;
 constexpr const char* kDepthFolder = "depth";
 constexpr const char* kLabelsFolder = "labels";
-constexpr int kWalkMethod = 6; ///< grows when the same walk gives other frames
+constexpr int kWalkMethod = 7; ///< grows when the same walk gives other frames
 
 std::string frameName(std::size_t frame) {
     const std::string number = std::to_string(frame);

@@ -23,7 +23,7 @@ namespace spherewalk::jobs {
 
 namespace {
 
-constexpr int kComparisonMethod = 10; ///< grows when the same dataset and picture give other comparisons
+constexpr int kComparisonMethod = 11; ///< grows when the same dataset and picture give other comparisons
 constexpr std::uint64_t kLargestCacheFile = 64ULL << 20;
 constexpr int kMostHundredths = PlaceErrors::kMostHundredths;
 constexpr int kMostMillimetres = 10'000'000;

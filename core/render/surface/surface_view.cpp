@@ -172,6 +172,7 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
                                                  int threads) {
     // Photos that are nearer to the camera than this count alike.
     constexpr double kNearestM = 2e-4;
+    constexpr double kBesideM = 0.02; // So near to a photo the next one gains nothing: the view is the photo.
     const CameraModel& camera = rays.camera();
     const double pixels = static_cast<double>(m_width) * m_height;
     std::vector<SourcePhoto> drawn;
@@ -192,9 +193,9 @@ std::vector<SourcePhoto> SurfaceView::drawPhotos(const PixelRays& rays, const Ri
             continue; // the second photo is drawn in all of the view
         }
         if (isMixed) {
-            m_filledShare = m_coordinates.mix(m_seen, static_cast<float>(std::sqrt(firstOffset / offset)),
-                                              pool, threads) /
-                            pixels;
+            const double weight =
+                std::sqrt(firstOffset / offset) * firstOffset / (firstOffset + kBesideM * kBesideM);
+            m_filledShare = m_coordinates.mix(m_seen, static_cast<float>(weight), pool, threads) / pixels;
         } else if (i > 0) {
             m_coordinates.take(m_seen, static_cast<std::uint8_t>(i), m_open, pool, threads);
         }

@@ -168,6 +168,12 @@ TEST(BlendedView, AtAPhotoIsThatPhoto) {
     EXPECT_LE(worst(ball.blend(kSquare[0], 4), ball.surface(kSquare[0], 1)), 1);
 }
 
+TEST(BlendedView, AtAPhotoIsThatPhotoAlthoughAnotherStandsThere) {
+    const Eigen::Vector3d beside(0.0001, 0, 0);
+    Ball ball({kSquare[0], beside}, 40);
+    EXPECT_LE(worst(ball.blend(kSquare[0], 2), ball.surface(kSquare[0], 1)), 1);
+}
+
 TEST(BlendedView, ShowsWhatIsThere) {
     Ball ball(kSquare);
     const Eigen::Vector3d middle(0.25, 0.25, 0.1);
