@@ -125,7 +125,7 @@ TEST(CommandLine, GoesFromPhotosByHandToADatasetWithoutAPlan) {
     // Of the practice room's 20 m2, what the photos show of its walls.
     const CliResult plan = runCli({"plan", path("s.spherewalk"), "--json"});
     EXPECT_NEAR(plan.json()["floor_m2"].get<double>(), 20, 5);
-    ASSERT_EQ(runCli({"export", path("s.spherewalk"), path("d")}).status, 0);
+    ASSERT_EQ(runCli({"export", path("s.spherewalk"), path("d"), "--scene", "sphere"}).status, 0);
     EXPECT_EQ(parseJson(readTextFile(path("d/dataset.json")), "dataset.json")["photos"].size(), 6U);
 }
 

@@ -38,7 +38,7 @@ TEST(MeasureCommand, StoresItsChoiceInADatasetOnly) {
     EXPECT_EQ(refused.status, 1);
     EXPECT_THAT(refused.errors, HasSubstr("this is a survey"));
     const std::string dataset = survey / "d";
-    ASSERT_EQ(runCli({"export", survey.path(), dataset}).status, 0);
+    ASSERT_EQ(runCli({"export", survey.path(), dataset, "--scene", "sphere"}).status, 0);
     const CliResult stored =
         runCli({"measure", dataset, "--camera", camera, "--views", "3", "--sampling-views", "1",
                 "--tolerance", "900", "--cache", survey / "cache", "--store"});

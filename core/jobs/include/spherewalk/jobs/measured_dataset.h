@@ -24,8 +24,8 @@ std::filesystem::path surveyDataset(const store::SurveyStore& store, render::Sce
                                     const std::filesystem::path& cacheFolder, ProgressSink& progress,
                                     const std::stop_token& stop);
 
-/// Number of photos from which on exports propose to measure; with fewer there may be nothing to compare.
-constexpr int kEnoughToMeasure = 8;
+/// Number of photos from which on exports propose to measure: without one of two, the other has no depth.
+constexpr int kEnoughToMeasure = 3;
 
 struct ChosenExport {
     MeasureReport measured;
