@@ -210,7 +210,7 @@ class Demo {
     /// A share of the progress by a share of what follows the capturing. Ray casting takes two thirds of the
     /// time at the camera's own width, and next to nothing at 1024 pixels.
     double after(double share) const {
-        const double pixels = std::pow(m_options.photoWidth / 5376.0, 2);
+        const double pixels = std::pow(1.0 * m_options.photoWidth / DemoOptions().photoWidth, 2);
         const double captured = 2 * pixels / (2 * pixels + 1);
         return captured + (1 - captured) * share;
     }

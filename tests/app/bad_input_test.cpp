@@ -59,7 +59,7 @@ class BadInput : public testing::Test {
                 .status,
             0);
         ASSERT_EQ(runCli({"import", survey, "--photos", path("in"), "--positions", path("p.csv")}).status, 0);
-        ASSERT_EQ(runCli({"export", survey, path("d")}).status, 0);
+        ASSERT_EQ(runCli({"export", survey, path("d"), "--scene", "sphere"}).status, 0);
     }
 
     static void TearDownTestSuite() { s_folder.reset(); }
@@ -192,7 +192,7 @@ TEST_F(BadInput, ACameraThatIsNoCamera) {
 TEST_F(BadInput, ADiskThatIsFull) {
     // No file may grow beyond 10 kB, as on a disk with so little left.
     const test::Program::Options full{"", 10'000};
-    expectRefused({"export", path("s.spherewalk"), path("e")}, "full", full);
+    expectRefused({"export", path("s.spherewalk"), path("e"), "--scene", "sphere"}, "full", full);
     EXPECT_FALSE(fs::exists(path("e")));
     for (const auto& entry : fs::directory_iterator(s_folder->path())) {
         EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".part")));

@@ -87,6 +87,7 @@ void beginRecording(Scene& scene) {
     person.press("make");
     PreviewPresenter& presenter = person.page<PreviewMode>().presenter();
     person.waitUntil([&] { return presenter.dataset() != nullptr; });
+    person.waitForTasks(); // what made the dataset may still be ending
     person.press("record");
     presenter.drive({.turnLeft = 1});
     person.waitUntil([&] { return presenter.path().size() >= 8; });

@@ -124,7 +124,7 @@ TEST_F(AlignSurvey, SolvesThePlaceOfAPhotoThatIsTaggedElsewhere) {
 TEST_F(AlignSurvey, GoesOnWhereItWasStopped) {
     photograph();
     auto store = newSurvey();
-    StopAt stop(0.3);
+    StopAt stop(0.2);
     expectError(ErrorKind::Stopped, "Stopped",
                 [&] { alignSurvey(store, {}, stop, stop.source.get_token()); });
     EXPECT_FALSE(store.activeSolution());
