@@ -84,12 +84,13 @@ using PhotoSight = std::vector<CellSight>;
 /// changes slowly from one direction to the next. Two lenses are not equally bright, and neither are two
 /// photos of a room in which a lamp was lit in between.
 struct GainField {
-    static constexpr int kTerms = 9;
+    static constexpr int kTerms = 10;
     using Terms = Eigen::Matrix<float, kTerms, 1>;
 
     Eigen::Matrix<float, 3, kTerms> logs = Eigen::Matrix<float, 3, kTerms>::Zero(); ///< A row a channel.
 
-    /// What is multiplied with logs: 1, the three coordinates and their products, of about equal size.
+    /// What is multiplied with logs: 1, the three coordinates and their products, and which of two lenses,
+    /// one ahead and one behind, sees the direction; of about equal size.
     static Terms terms(const Eigen::Vector3f& directionInPhoto);
     Eigen::Vector3f at(const Eigen::Vector3f& directionInPhoto) const;
 };

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <opencv2/imgproc.hpp>
 
+#include <cmath>
 #include <iterator>
 
 namespace spherewalk::align {
@@ -308,7 +309,9 @@ GainField::Terms GainField::terms(const Eigen::Vector3f& d) {
     const float y = d.y();
     const float z = d.z();
     Terms terms;
-    terms << 1, x, y, z, 2 * x * y, 2 * y * z, 2 * z * x, x * x - y * y, 1.5F * z * z - 0.5F;
+    constexpr float kStitched = 0.15F; // Within some nine degrees one lens goes over into the other.
+    terms << 1, x, y, z, 2 * x * y, 2 * y * z, 2 * z * x, x * x - y * y, 1.5F * z * z - 0.5F,
+        x / std::hypot(x, kStitched);
     return terms;
 }
 
