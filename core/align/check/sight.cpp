@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/sight.h"
 
+#include "spherewalk/geometry/equirect.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
@@ -92,16 +94,11 @@ cv::Mat burntOut(const cv::Mat& picture) {
 }
 
 cv::Mat multiplied(const cv::Mat& picture, const GainField& gains) {
+    const EquirectSize size{picture.cols, picture.rows};
     cv::Mat product(picture.size(), CV_8UC3);
     for (int y = 0; y < picture.rows; ++y) {
         for (int x = 0; x < picture.cols; ++x) {
-            const float azimuth =
-                kSightPi - 2 * kSightPi * (static_cast<float>(x) + 0.5F) / static_cast<float>(picture.cols);
-            const float elevation =
-                kSightPi / 2 - kSightPi * (static_cast<float>(y) + 0.5F) / static_cast<float>(picture.rows);
-            const Eigen::Vector3f gain =
-                gains.at({std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-                          std::sin(elevation)});
+            const Eigen::Vector3f gain = gains.at(direction(size, Eigen::Vector2d(x, y)).cast<float>());
             for (int c = 0; c < 3; ++c) {
                 product.at<cv::Vec3b>(y, x)[c] =
                     cv::saturate_cast<std::uint8_t>(gain[c] * picture.at<cv::Vec3b>(y, x)[c]);
