@@ -26,8 +26,6 @@ constexpr int kLeastPoints = 20;
 constexpr double kDoubtfulSigmaM = 0.015;
 constexpr double kDoubtfulSigmaRad = 0.006;
 constexpr double kUnknownScaleSigma = 0.3;
-/// Below this share of what neighbours let expect, two parts of a survey are two places.
-constexpr double kOnePlaceShare = 0.3;
 
 /// The largest part, while it is placed.
 struct Part {
@@ -371,37 +369,26 @@ void refine(Part& part, const FreeOptions& options, ProgressSink& progress, cons
 FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<const PhotoPrior> photos,
                            std::span<const PhotoPair> pairs, const FreeOptions& options,
                            ProgressSink& progress, const std::stop_token& stop) {
-    ProgressStep first(progress, 0, 0.3);
-    Adjusted adjusted = adjustedBy(estimates, photos, pairs, first, stop);
-    FreePlaces made = placesOf(adjusted, options);
-    std::vector<int> cutInto; // The parts whose pairs the last adjustment did without.
-    double begin = 0.3;
-    const auto adjustWithout = [&](std::span<const PairEstimate> certain, const std::vector<int>& parts) {
-        const double end = std::midpoint(begin, 0.6); // How many will be tried is not known.
+    Adjusted adjusted;
+    double begin = 0;
+    const auto placed = [&](std::span<const PairEstimate> some) {
+        const double end = begin > 0 ? std::midpoint(begin, 0.6) : 0.3; // How many are tried is not known.
         ProgressStep step(progress, begin, end);
-        adjusted = adjustedBy(certain, photos, pairs, step, stop);
-        cutInto = parts;
+        adjusted = adjustedBy(some, photos, pairs, step, stop);
         begin = end;
+        return PlaceAgreement(placesOf(adjusted, options), pairs);
     };
-    const auto partsWhereCut = [&](const std::vector<int>& trial) {
-        adjustWithout(cutBetween(trial, estimates), trial);
-        return PlaceAgreement(placesOf(adjusted, options), pairs).parts(kOnePlaceShare);
-    };
-    const std::vector<int> parts =
-        rejoinedParts(PlaceAgreement(made, pairs).parts(kOnePlaceShare), partsWhereCut);
-    const std::vector<PairEstimate> certain = cutBetween(parts, estimates);
-    if (!certain.empty() && parts != cutInto) {
-        adjustWithout(certain, parts);
+    const CertainPairs certain = certainPairs({estimates.begin(), estimates.end()}, placed);
+    if (!certain.werePlacedLast) {
+        placed(certain.estimates);
     }
     if (options.picture && !adjusted.part.photos.empty()) {
-        ProgressStep third(progress, 0.6, 1);
-        refine(adjusted.part, options, third, stop);
+        ProgressStep step(progress, 0.6, 1);
+        refine(adjusted.part, options, step, stop);
     }
-    if (!certain.empty() || options.picture) {
-        made = placesOf(std::move(adjusted), options);
-    }
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (!certain.empty() && parts[i] > 0 && !made.photos[i].roomFromPhoto) {
+    FreePlaces made = placesOf(std::move(adjusted), options);
+    for (std::size_t i = 0; i < made.photos.size(); ++i) {
+        if (certain.parts[i] > 0 && !made.photos[i].roomFromPhoto) {
             made.photos[i].why = "It shows some things that the largest part shows, but not what stands "
                                  "around them: it seems to be of another place that looks alike. Leave it "
                                  "out, or take photos between it and the others.";

@@ -11,6 +11,9 @@ namespace spherewalk::align {
 
 namespace {
 
+/// Below this share of what neighbours let expect, two parts of a survey are two places.
+constexpr double kOnePlaceShare = 0.3;
+constexpr int kLookalikeRounds = 3; ///< Of placing without pairs that what is there twice explains.
 /// Doorways and steps of two metres may show as little of what neighbours let expect.
 constexpr double kSurePlaceShare = 0.5;
 /// Within a room, photos show more of what each other sees.
@@ -135,6 +138,30 @@ void tellSteps(const std::vector<Room>& rooms, double lensHeightM, FreePlaces& p
     }
 }
 
+std::vector<PairVerdict> verdictsOf(std::span<const PairEstimate> estimates) {
+    std::vector<PairVerdict> verdicts;
+    for (const PairEstimate& estimate : estimates) {
+        verdicts.push_back(estimate.verdict);
+    }
+    return verdicts;
+}
+
+bool isCut(const std::vector<int>& parts) {
+    return std::ranges::any_of(parts, [](int part) { return part > 0; });
+}
+
+/// Lets no pair join photos of different parts.
+std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::vector<PairEstimate> estimates) {
+    for (PairEstimate& estimate : estimates) {
+        const int partOfA = parts[static_cast<std::size_t>(estimate.a)];
+        const int partOfB = parts[static_cast<std::size_t>(estimate.b)];
+        if (partOfA >= 0 && partOfB >= 0 && partOfA != partOfB) {
+            estimate.verdict = PairVerdict::NoAgreement;
+        }
+    }
+    return estimates;
+}
+
 } // namespace
 
 PlaceAgreement::PlaceAgreement(const FreePlaces& places, std::span<const PhotoPair> pairs)
@@ -144,25 +171,62 @@ PlaceAgreement::PlaceAgreement(const FreePlaces& places, std::span<const PhotoPa
         poses.push_back(place.roomFromPhoto);
         m_isPlaced.push_back(place.roomFromPhoto.has_value());
     }
-    m_agreements = photoAgreements(poses, pairs, fittingMatches(poses, pairs));
+    const std::vector<std::vector<bool>> fitting = fittingMatches(poses, pairs);
+    for (const std::vector<bool>& matches : fitting) {
+        m_fitting.push_back(static_cast<int>(std::ranges::count(matches, true)));
+    }
+    m_agreements = photoAgreements(poses, pairs, fitting);
 }
 
 std::vector<int> PlaceAgreement::parts(double leastShare) const {
     return agreeingParts(m_isPlaced, m_agreements, leastShare, m_isInMetres ? kBesideM : 0);
 }
 
-std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::span<const PairEstimate> estimates) {
-    std::vector<PairEstimate> cut(estimates.begin(), estimates.end());
-    bool isAnyCut = false;
-    for (PairEstimate& estimate : cut) {
-        const int partOfA = parts[static_cast<std::size_t>(estimate.a)];
-        const int partOfB = parts[static_cast<std::size_t>(estimate.b)];
-        if (partOfA >= 0 && partOfB >= 0 && partOfA != partOfB) {
+std::vector<PairEstimate> PlaceAgreement::withoutLookalikes(std::span<const PairEstimate> estimates) const {
+    constexpr double kBorneOut = 0.5; // Share of the matches that the photos agreed on.
+    const auto contradicting = contradictingPhotos(m_agreements, m_isInMetres ? kBesideM : 0);
+    std::vector<PairEstimate> fewer(estimates.begin(), estimates.end());
+    bool isAnyLeftOut = false;
+    for (std::size_t i = 0; i < fewer.size(); ++i) {
+        PairEstimate& estimate = fewer[i];
+        if (estimate.verdict == PairVerdict::Constraint && m_fitting[i] > kBorneOut * estimate.inliers &&
+            std::ranges::binary_search(contradicting,
+                                       std::pair<int, int>(std::minmax(estimate.a, estimate.b)))) {
             estimate.verdict = PairVerdict::NoAgreement;
-            isAnyCut = true;
+            isAnyLeftOut = true;
         }
     }
-    return isAnyCut ? cut : std::vector<PairEstimate>();
+    return isAnyLeftOut ? fewer : std::vector<PairEstimate>();
+}
+
+CertainPairs certainPairs(std::vector<PairEstimate> estimates,
+                          const std::function<PlaceAgreement(std::span<const PairEstimate>)>& placed) {
+    std::vector<PairVerdict> last; // By which the photos were last placed.
+    const auto agreementOf = [&](std::span<const PairEstimate> some) {
+        last = verdictsOf(some);
+        return placed(some);
+    };
+    PlaceAgreement agreement = agreementOf(estimates);
+    std::vector<int> parts = agreement.parts(kOnePlaceShare);
+    for (int round = 0; round < kLookalikeRounds && isCut(parts); ++round) {
+        std::vector<PairEstimate> fewer = agreement.withoutLookalikes(estimates);
+        if (fewer.empty()) {
+            break;
+        }
+        agreement = agreementOf(fewer);
+        std::vector<int> larger = agreement.parts(kOnePlaceShare);
+        if (std::ranges::count(larger, 0) <= std::ranges::count(parts, 0)) {
+            break;
+        }
+        estimates = std::move(fewer);
+        parts = std::move(larger);
+    }
+    parts = rejoinedParts(std::move(parts), [&](const std::vector<int>& trial) {
+        return agreementOf(cutBetween(trial, estimates)).parts(kOnePlaceShare);
+    });
+    estimates = cutBetween(parts, std::move(estimates));
+    const bool werePlacedLast = verdictsOf(estimates) == last;
+    return {std::move(parts), std::move(estimates), werePlacedLast};
 }
 
 void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement, double lensHeightM) {

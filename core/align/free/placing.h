@@ -161,14 +161,29 @@ class PlaceAgreement {
     /// What agreeingParts() returns for this share.
     std::vector<int> parts(double leastShare) const;
 
+    /// The estimates without those that the places bear out, although what stands around one photo is not
+    /// there around the other: both show something that is there twice. Empty if they would be all. Shape:
+    /// one for each pair.
+    std::vector<PairEstimate> withoutLookalikes(std::span<const PairEstimate> estimates) const;
+
   private:
     std::vector<bool> m_isPlaced;
+    std::vector<int> m_fitting; ///< Number of each pair's matches that fit the places.
     std::vector<PhotoAgreement> m_agreements;
     bool m_isInMetres = true;
 };
 
-/// The estimates that join no photos of different parts. Empty if they would be all.
-std::vector<PairEstimate> cutBetween(std::span<const int> parts, std::span<const PairEstimate> estimates);
+/// The parts into which photos fall, and the pairs that tell how the photos of each stand to each other.
+struct CertainPairs {
+    std::vector<int> parts;              ///< One entry a photo, as agreeingParts() has them.
+    std::vector<PairEstimate> estimates; ///< Between parts, and where something is there twice, none agrees.
+    bool werePlacedLast = false;         ///< Whether the photos were last placed by these.
+};
+
+/// Finds the pairs that may be believed. Where photos do not agree, pairs that what is there twice explains
+/// are left out, and then parts are cut off. placed: places the photos by estimates.
+CertainPairs certainPairs(std::vector<PairEstimate> estimates,
+                          const std::function<PlaceAgreement(std::span<const PairEstimate>)>& placed);
 
 /// Says it of photos that hang together with the largest part too loosely: little of what either side lets
 /// expect is seen from the other, or the floors of both lie at different heights, as where one side's lengths

@@ -176,6 +176,48 @@ TEST_F(AgreeingParts, AreTwoWhereTwoPairsContradictTogether) {
     EXPECT_THAT(found(), Each(0));
 }
 
+// The lenses are no 60 cm apart, but a wall with an open door is between them.
+TEST_F(AgreeingParts, AreOneWherePhotosBesideADoorShareWhatBothHaveInSight) {
+    std::vector<PhotoAgreement> agreements;
+    for (int i = 0; i < 6; ++i) {
+        agreements.push_back({i, i + 1, 100, 200, 0.5, 2, 2.5, 0.65});
+        agreements.push_back({i + 7, i + 8, 100, 200, 0.5, 2, 2.5, 0.65});
+    }
+    agreements.push_back({3, 9, 100, 70, 0.4, 0.8, 2.5, 0.45});
+    const auto found = [&] { return agreeingParts(std::vector<bool>(14, true), agreements, 0.3); };
+    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1));
+    agreements.back().shareInSight = 0.6;
+    EXPECT_THAT(found(), Each(0));
+}
+
+// Walls of bricks: features of one are taken for those of the next one.
+TEST_F(AgreeingParts, AreOneWhereMostPairsShareWhatIsInSightAndOneContradicts) {
+    std::vector<PhotoAgreement> agreements;
+    for (int i = 0; i < 6; ++i) {
+        agreements.push_back({i, i + 1, 100, 150, 0.8, 1.6, 2.5, 0.65});
+        agreements.push_back({i + 7, i + 8, 100, 150, 0.8, 1.6, 2.5, 0.65});
+        agreements.push_back({i, i + 7, 100, 90, 0.8, 1, 2.5, 0.6});
+    }
+    agreements.push_back({6, 13, 100, 1, 0.9, 0.1, 2.5});
+    const auto found = [&] { return agreeingParts(std::vector<bool>(14, true), agreements, 0.3); };
+    EXPECT_THAT(found(), Each(0));
+    agreements.push_back({2, 13, 100, 1, 1, 0.1, 2.5});
+    agreements.push_back({5, 13, 100, 1, 0.9, 0.1, 2.5});
+    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1))
+        << "three, and six pairs for them";
+    agreements.resize(agreements.size() - 2);
+    for (PhotoAgreement& pair : agreements) { // Rooms with the same furniture share as much.
+        pair.shareInSight = pair.b == pair.a + 7 && pair.shareInSight < 1 ? 0.53 : pair.shareInSight;
+    }
+    EXPECT_THAT(found(), ::testing::ElementsAre(0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1));
+}
+
+TEST_F(AgreeingParts, NamePhotosThatContradictEachOther) {
+    const std::vector<PhotoAgreement> agreements{
+        {4, 2, 100, 1, 0.9, 0.1, 2.5}, {0, 1, 100, 200, 0.9, 2, 2.5}, {1, 3, 100, 2, 1, 0.1, 2.5}};
+    EXPECT_THAT(contradictingPhotos(agreements), ::testing::ElementsAre(std::pair(1, 3), std::pair(2, 4)));
+}
+
 // Every fourth thing stands in both rooms. No photos stand so near to each other that no wall can be between
 // them.
 TEST_F(AgreeingParts, AreTwoRoomsOfOneSizeWithSomeThingsInCommon) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace spherewalk::align {
@@ -46,18 +47,25 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 /// are expected, nothing speaks against the pair. Two photos contradict each other if hardly any of 50 things
 /// or more is there, although they stand nearer to each other than things usually do, so that hardly a wall
 /// hides them; or if they stand within besideM, so that no wall is between their lenses, and both show less
-/// than half of what most of five such pairs or more show; or if of what each has in sight of the other's
-/// things they share less than 0.6 of what most of five pairs or more share that are as far apart to 0.2 m.
-/// Two pairs between the same parts count like one that contradicts if each shares less than 0.85 of that,
-/// and if less than 0.6 of what is expected is seen. Photos that contradict each other are never in one part,
-/// and the pairs that agree least are cut between them. besideM: 0 where lengths are not in metres; then what
-/// photos show beside each other and in sight is not asked.
+/// than half of what most of five such pairs or more show, unless they share 0.9 of what is usual in sight,
+/// as on either side of a door; or if of what each has in sight of the other's things they share less than
+/// 0.6 of what most of five pairs or more share that are as far apart to 0.2 m. Two pairs between the same
+/// parts count like one that contradicts if each shares less than 0.85 of that, and if less than 0.6 of what
+/// is expected is seen. Photos that contradict each other are never in one part, unless between their parts
+/// three times as many pairs tell what is in sight, five at least, and half of them share 0.9 of what is
+/// usual; and the pairs that agree least are cut between them. besideM: 0 where lengths are not in metres;
+/// then what photos show beside each other and in sight is not asked.
 ///
 /// Shape: isPlaced has one entry a photo, and all photos that agreements name are placed. The result has one
 /// entry a photo: the number of its part, 0 for the one with the most photos; -1 for photos that are not
 /// placed.
 std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<const PhotoAgreement> agreements,
                                double leastShare, double besideM = kBesideM);
+
+/// Each two photos that contradict each other by themselves, as agreeingParts() has it, the smaller index
+/// first, ascending. besideM: as there.
+std::vector<std::pair<int, int>> contradictingPhotos(std::span<const PhotoAgreement> agreements,
+                                                     double besideM = kBesideM);
 
 /// Joins to the largest part the others of three photos and more that agree with it alone, the larger ones
 /// first: what is of another place bends, before it is cut off, how the rooms of one place stand to each
