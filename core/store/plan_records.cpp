@@ -261,6 +261,14 @@ void SurveyStore::replaceRoom(const Room& room, RoomOrigin origin) {
     transaction.commit();
 }
 
+Room SurveyStore::knownRoom() const {
+    Room stored = room();
+    const bool hasRails = m_parts->db().query("SELECT 1 FROM placement").step();
+    const bool isKnown =
+        hasRails || roomOrigin() == RoomOrigin::Drawn || stored.outline != survey::unknownRoom().outline;
+    return isKnown ? std::move(stored) : Room();
+}
+
 RoomOrigin SurveyStore::roomOrigin() const {
     Statement survey = m_parts->db().query("SELECT is_room_drawn FROM survey");
     return survey.step() && survey.boolean(0) ? RoomOrigin::Drawn : RoomOrigin::Solved;

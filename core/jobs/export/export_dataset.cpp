@@ -133,7 +133,7 @@ class Poses {
 };
 
 render::DatasetInfo infoOf(const store::SurveyStore& store) {
-    const survey::Room room = store.room();
+    const survey::Room room = store.knownRoom();
     const store::SurveyInfo survey = store.info();
     render::DatasetInfo info;
     info.id = randomUuid();
@@ -188,7 +188,8 @@ DepthOptions depthOptions(const store::SurveyStore& store, const ExportOptions& 
                           const DepthCache& cache) {
     DepthOptions depth = options.depth;
     depth.cacheFolder = cache.path();
-    depth.drawn = {store.room().outline, store.room().ceilingM};
+    const survey::Room room = store.knownRoom();
+    depth.drawn = {room.outline, room.ceilingM};
     depth.onlyForScene = !render::usesDepths(options.scene);
     return depth;
 }
@@ -213,7 +214,7 @@ ClearedPhotos clearedPhotos(const store::SurveyStore& store, const ExportOptions
                             const DepthCache& cache, const dataset::Contents& contents,
                             const ExportReport& report, const std::stop_token& stop) {
     const bool looks = options.clearsCarried && report.withoutRotation == 0;
-    return {depthInputs(contents.photos), store.room(), cache.path(), looks, stop};
+    return {depthInputs(contents.photos), store.knownRoom(), cache.path(), looks, stop};
 }
 
 /// Makes the photos without what is carried along, and exports them.
@@ -245,9 +246,11 @@ void addScene(const store::SurveyStore& store, const ExportOptions& options, con
     if (found.radiusM) {
         contents.info.sphereRadiusM = found.radiusM;
     }
-    report.roomShape = found.room ? found.room->shape : drawnRoom(store.room(), progress);
-    if (found.room && found.room->contradictsOutline) {
+    report.roomShape = found.room ? found.room->shape : drawnRoom(store.knownRoom(), progress);
+    const bool isKnown = contents.info.outline.size() >= 3;
+    if (found.room && (found.room->contradictsOutline || !isKnown)) {
         contents.info.outline = found.room->shape.outline;
+        contents.info.ceilingM = isKnown ? contents.info.ceilingM : found.room->shape.ceilingM;
     }
     for (const std::string& doubt :
          found.room ? roomDoubts(*found.room, store.room()) : std::vector<std::string>()) {

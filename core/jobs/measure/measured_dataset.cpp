@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kDatasetMethod = 1; ///< grows when the same survey gives another dataset
+constexpr int kDatasetMethod = 2; ///< grows when the same survey gives another dataset
 
 std::string cornersText(const Polygon& polygon) {
     std::string result = " polygon";

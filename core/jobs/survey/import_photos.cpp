@@ -53,7 +53,7 @@ class Import {
           m_options(options),
           m_progress(progress),
           m_stations(store.stations()),
-          m_outline(store.room().outline) {}
+          m_outline(store.knownRoom().outline) {}
 
     ~Import() {
         try {
@@ -162,7 +162,8 @@ class Import {
         const std::int64_t photo = m_store.addPhoto(takeIn(m_store, arrival));
         m_lines.emplace(photo, position);
         ++m_report.imported;
-        m_report.outsideOutline += contains(m_outline, position.positionM.head<2>()) ? 0 : 1;
+        const bool isInside = m_outline.empty() || contains(m_outline, position.positionM.head<2>());
+        m_report.outsideOutline += isInside ? 0 : 1;
         if (other) {
             note(text(position.file, " (line ", position.line, ") and ", other->fileName, " are both at ",
                       station.name, ", and ", position.file,
@@ -275,7 +276,7 @@ class Import {
     const ImportOptions& m_options;
     ProgressSink& m_progress;
     std::vector<store::StationRecord> m_stations;
-    Polygon m_outline;
+    Polygon m_outline;                             ///< Empty if it is not known.
     std::set<std::int64_t> m_added;                ///< Stations.
     std::map<std::int64_t, PhotoPosition> m_lines; ///< Lines of this file, by their photos.
     std::vector<PhotoPlace> m_moves;

@@ -160,6 +160,21 @@ TEST_F(PlanRecords, TakeAnotherRoomWithoutRails) {
     EXPECT_EQ(m_store.roomOrigin(), RoomOrigin::Drawn);
 }
 
+TEST_F(PlanRecords, KnowWhetherARoomIsKnown) {
+    EXPECT_EQ(m_store.knownRoom().outline, test::smallRoom().outline);
+    m_store.replacePlan(survey::unknownRoom(), test::twoHeights(), {});
+    EXPECT_EQ(m_store.room().outline.size(), 4U);
+    EXPECT_TRUE(m_store.knownRoom().outline.empty()) << "nobody said anything of a room";
+    EXPECT_EQ(m_store.knownRoom().ceilingM, 0);
+    m_store.replaceRoom(test::smallRoom(), RoomOrigin::Solved);
+    EXPECT_EQ(m_store.knownRoom().outline, test::smallRoom().outline);
+    m_store.replaceRoom(survey::unknownRoom(), RoomOrigin::Drawn);
+    EXPECT_EQ(m_store.knownRoom().outline, survey::unknownRoom().outline) << "somebody drew it";
+    m_store.replacePlan(survey::unknownRoom(), test::twoHeights(),
+                        survey::plan(survey::unknownRoom(), test::twoHeights()));
+    EXPECT_EQ(m_store.knownRoom().outline.size(), 4U) << "rails were planned for it";
+}
+
 TEST_F(PlanRecords, RefusePlansThatContradictThemselves) {
     survey::Plan broken = survey::plan(test::smallRoom(), test::twoHeights());
     broken.stations[3].placement = 77;

@@ -164,4 +164,27 @@ TEST_F(RobotSurvey, AnOutlineThatThePhotosContradictIsNotTheDatasetsRoom) {
     EXPECT_EQ(corrected.info().outline, corrected.info().roomShape.value().outline);
 }
 
+// The room of a survey by hand stands for none: 6 x 6 m about the origin.
+TEST_F(RobotSurvey, ARoomThatNobodyDrewIsFoundInThePhotosAndNothingIsSaidOfIt) {
+    m_options.depth.sweep.width = 256;
+    auto store =
+        store::SurveyStore::create(m_folder / "hand.spherewalk", "hand", survey::unknownRoom(), {}, {});
+    test::Warnings warnings;
+    importPhotos(store, {m_folder / "in", m_folder / "p.csv", 0.05, false}, warnings, {});
+    exportDataset(store, m_folder / "hand", m_options, warnings, {});
+    for (const std::string& sentence : warnings.sentences) {
+        EXPECT_EQ(sentence.find("outline"), std::string::npos) << sentence;
+        EXPECT_EQ(sentence.find("drawn"), std::string::npos) << sentence;
+    }
+    const auto dataset = render::Dataset::open(m_folder / "hand");
+    std::vector<double> xs;
+    for (const Eigen::Vector2d& corner : dataset.info().outline) {
+        xs.push_back(corner.x());
+    }
+    ASSERT_EQ(xs.size(), 4U);
+    EXPECT_NEAR(*std::ranges::min_element(xs), 0, 0.3);
+    EXPECT_NEAR(*std::ranges::max_element(xs), 5, 0.3);
+    EXPECT_FALSE(dataset.isOutside({4.5, 3.5, 1.2}));
+}
+
 } // namespace spherewalk::jobs
