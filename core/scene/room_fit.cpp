@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spherewalk/scene/room_fit.h"
 
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/equirect.h"
 
@@ -133,6 +134,17 @@ std::vector<Seen> pointsOf(std::span<const PosedDepth> depths) {
         }
     }
     return points;
+}
+
+/// Lets what is farther than usual count by its solid angle. Where nobody said how large the room is, what is
+/// falsely far would heap up most.
+void boundAreas(std::vector<Seen>& points) {
+    std::vector<double> areas(points.size()); // Of pixels at the horizon.
+    std::ranges::transform(points, areas.begin(), [](const Seen& at) { return at.areaM2 / at.solidAngle; });
+    const double usual = areas.empty() ? 0 : median(std::move(areas));
+    for (Seen& point : points) {
+        point.areaM2 = std::min(point.areaM2, usual * point.solidAngle);
+    }
 }
 
 /// The value where values heap up: the first peak that is high enough. An order of -1 looks from the
@@ -386,7 +398,10 @@ std::optional<double> sphereRadius(std::span<const PosedDepth> depths) {
 }
 
 std::optional<FittedRoom> fittedRoom(std::span<const PosedDepth> depths, const DrawnRoom& room) {
-    const std::vector<Seen> points = pointsOf(depths);
+    std::vector<Seen> points = pointsOf(depths);
+    if (room.outline.size() < 3) {
+        boundAreas(points);
+    }
     double standM = 0;
     for (const PosedDepth& posed : depths) {
         standM += posed.roomFromPhoto.translation.z() / static_cast<double>(depths.size());

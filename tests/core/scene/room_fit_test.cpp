@@ -78,6 +78,22 @@ TEST(RoomFit, TakesNoMirrorImageForTheRoom) {
     EXPECT_GT(undrawn->shape.floorM, -2); // a camera stands at most 3 m above its floor
 }
 
+// A quarter of what is looked at towards the ceiling shows something 9 m above the lens, which would be fifty
+// times as large there.
+TEST(RoomFit, FindsTheCeilingThatNobodyDrewBelowWhatIsFalselyFar) {
+    Photos photos(kRoom);
+    for (PhotoDepth& depth : photos.depths) {
+        for (int y = 0; y < depth.inverseM.height() / 4; ++y) {
+            for (int x = 2; x < depth.inverseM.width(); x += 16) {
+                *depth.inverseM.at(x, y) *= 1.3F / 9;
+            }
+        }
+    }
+    const auto found = fittedRoom(photos.posed, {});
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->shape.ceilingM, kRoom.ceilingM, 0.02);
+}
+
 TEST(RoomFit, KeepsWhatWasDrawnWhereTooLittleIsSeen) {
     Photos photos(kRoom);
     for (PhotoDepth& depth : photos.depths) {
