@@ -69,7 +69,8 @@ class SurveyStore {
     Counts counts() const;
 
     survey::Room room() const;
-    /// The same, but empty where room() is survey::unknownRoom(), since nobody drew one and no photos show it.
+    /// The same, but empty where room() is survey::unknownRoom(), since nobody drew one and no photos show
+    /// it.
     survey::Room knownRoom() const;
     survey::PlanOptions planOptions() const;
     /// The plan. Stations that were added since stand at its end.
