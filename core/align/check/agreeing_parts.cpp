@@ -70,15 +70,16 @@ double usualShareInSight(std::span<const PhotoAgreement> agreements, double apar
 }
 
 /// What two photos say of whether they show one place.
-struct Say {
+struct Testimony {
     double against = 0;       ///< 1 forbids to join them, and so do two halves.
     double inSight = 0;       ///< Share of what is in sight, over the usual one; 0 where that tells nothing.
     bool contradicts = false; ///< Whether one of them lacks what should stand around it, a wall or not.
 };
 
-std::map<std::pair<int, int>, Say> saysOf(std::span<const PhotoAgreement> agreements, double besideM) {
+std::map<std::pair<int, int>, Testimony> testimonyIn(std::span<const PhotoAgreement> agreements,
+                                                     double besideM) {
     const double usualBeside = usualShareBeside(agreements, besideM);
-    std::map<std::pair<int, int>, Say> says;
+    std::map<std::pair<int, int>, Testimony> testimony;
     for (const PhotoAgreement& pair : agreements) {
         const double usual = besideM > 0 ? usualShareInSight(agreements, pair.apartM) : 0;
         const double inSight = usual > 0 && pair.shareInSight < 1 ? pair.shareInSight / usual : 0;
@@ -87,12 +88,12 @@ std::map<std::pair<int, int>, Say> saysOf(std::span<const PhotoAgreement> agreem
         const bool isHalf = pair.shareInSight < kTogetherInSightShare * usual &&
                             pair.expected >= kClearlyExpected && pair.seen < kTogetherShare * pair.expected;
         const double against = isClear || (showsLittle && inSight < kAlikeInSight) ? 1 : isHalf ? 0.5 : 0;
-        Say& say = says[std::minmax(pair.a, pair.b)];
-        say.against = std::max(say.against, against);
-        say.inSight = std::max(say.inSight, inSight);
-        say.contradicts = say.contradicts || isClear || showsLittle;
+        Testimony& said = testimony[std::minmax(pair.a, pair.b)];
+        said.against = std::max(said.against, against);
+        said.inSight = std::max(said.inSight, inSight);
+        said.contradicts = said.contradicts || isClear || showsLittle;
     }
-    return says;
+    return testimony;
 }
 
 double betterShare(const ExpectedThings& inA, const ExpectedThings& inB) {
@@ -127,7 +128,7 @@ DisjointSets joined(std::size_t photos, std::span<const PhotoAgreement> agreemen
         return pair.expected < kLeastExpected ? leastShare : pair.seen / pair.expected;
     };
     std::vector<PhotoAgreement> sorted(agreements.begin(), agreements.end());
-    const auto says = saysOf(agreements, besideM);
+    const auto testimony = testimonyIn(agreements, besideM);
     std::ranges::stable_sort(sorted, std::greater<>(), share);
     DisjointSets sets(photos);
     for (const PhotoAgreement& pair : sorted) {
@@ -137,12 +138,12 @@ DisjointSets joined(std::size_t photos, std::span<const PhotoAgreement> agreemen
         }
         double against = 0;
         std::vector<double> inSight;
-        for (const auto& [both, say] : says) {
+        for (const auto& [both, said] : testimony) {
             const std::pair apart(sets.of(both.first), sets.of(both.second));
             if (apart == joins || apart == std::pair(joins.second, joins.first)) {
-                against += say.against;
-                if (say.inSight > 0) {
-                    inSight.push_back(say.inSight);
+                against += said.against;
+                if (said.inSight > 0) {
+                    inSight.push_back(said.inSight);
                 }
             }
         }
@@ -215,8 +216,8 @@ std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<cons
 std::vector<std::pair<int, int>> contradictingPhotos(std::span<const PhotoAgreement> agreements,
                                                      double besideM) {
     std::vector<std::pair<int, int>> photos;
-    for (const auto& [both, say] : saysOf(agreements, besideM)) {
-        if (say.contradicts) {
+    for (const auto& [both, said] : testimonyIn(agreements, besideM)) {
+        if (said.contradicts) {
             photos.push_back(both);
         }
     }

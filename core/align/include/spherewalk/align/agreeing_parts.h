@@ -62,8 +62,8 @@ std::vector<PhotoAgreement> photoAgreements(std::span<const std::optional<Rigid3
 std::vector<int> agreeingParts(const std::vector<bool>& isPlaced, std::span<const PhotoAgreement> agreements,
                                double leastShare, double besideM = kBesideM);
 
-/// Each two photos that contradict each other by themselves, as agreeingParts() has it, the smaller index
-/// first, ascending. besideM: as there.
+/// Each two photos that contradict each other by themselves, as agreeingParts() has it, but also those that
+/// share what is in sight. The smaller index comes first, and the list ascends. besideM: as there.
 std::vector<std::pair<int, int>> contradictingPhotos(std::span<const PhotoAgreement> agreements,
                                                      double besideM = kBesideM);
 
