@@ -379,9 +379,6 @@ FreePlaces placesThatAgree(std::span<const PairEstimate> estimates, std::span<co
         return PlaceAgreement(placesOf(adjusted, options), pairs);
     };
     const CertainPairs certain = certainPairs({estimates.begin(), estimates.end()}, placed);
-    if (!certain.werePlacedLast) {
-        placed(certain.estimates);
-    }
     if (options.picture && !adjusted.part.photos.empty()) {
         ProgressStep step(progress, 0.6, 1);
         refine(adjusted.part, options, step, stop);

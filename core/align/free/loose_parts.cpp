@@ -225,8 +225,10 @@ CertainPairs certainPairs(std::vector<PairEstimate> estimates,
         return agreementOf(cutBetween(trial, estimates)).parts(kOnePlaceShare);
     });
     estimates = cutBetween(parts, std::move(estimates));
-    const bool werePlacedLast = verdictsOf(estimates) == last;
-    return {std::move(parts), std::move(estimates), werePlacedLast};
+    if (verdictsOf(estimates) != last) {
+        placed(estimates);
+    }
+    return {std::move(parts), std::move(estimates)};
 }
 
 void doubtLooseParts(FreePlaces& places, const PlaceAgreement& agreement, double lensHeightM) {

@@ -177,11 +177,11 @@ class PlaceAgreement {
 struct CertainPairs {
     std::vector<int> parts;              ///< One entry a photo, as agreeingParts() has them.
     std::vector<PairEstimate> estimates; ///< Between parts, and where something is there twice, none agrees.
-    bool werePlacedLast = false;         ///< Whether the photos were last placed by these.
 };
 
 /// Finds the pairs that may be believed. Where photos do not agree, pairs that what is there twice explains
-/// are left out, and then parts are cut off. placed: places the photos by estimates.
+/// are left out, and then parts are cut off. placed: places the photos by estimates; it is
+/// called last with those that are returned.
 CertainPairs certainPairs(std::vector<PairEstimate> estimates,
                           const std::function<PlaceAgreement(std::span<const PairEstimate>)>& placed);
 

@@ -150,12 +150,16 @@ render::DatasetInfo infoOf(const store::SurveyStore& store) {
 }
 
 /// Nothing if no photo stands inside of the room, so that there is nothing to estimate it from.
-std::optional<double> radiusFor(const survey::Room& room, const std::vector<dataset::SourcePhoto>& photos) {
+std::optional<double> radiusFor(const store::SurveyStore& store,
+                                const std::vector<dataset::SourcePhoto>& photos) {
+    const bool isKnown = !store.knownRoom().outline.empty();
     std::vector<Eigen::Vector3d> positions;
     for (const dataset::SourcePhoto& photo : photos) {
-        positions.push_back(photo.entry.roomFromPhoto.translation);
+        const Eigen::Vector3d& at = photo.entry.roomFromPhoto.translation;
+        positions.push_back(isKnown ? at
+                                    : Eigen::Vector3d(0, 0, at.z())); // The middle of survey::unknownRoom().
     }
-    return scene::sphereRadius(room, positions);
+    return scene::sphereRadius(store.room(), positions);
 }
 
 /// Where depths are kept: beside the survey. If that may only be read, new depths are kept as long as the
@@ -300,7 +304,7 @@ dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<
         }
         contents.photos.push_back(std::move(source));
     }
-    contents.info.sphereRadiusM = radiusFor(store.room(), contents.photos);
+    contents.info.sphereRadiusM = radiusFor(store, contents.photos);
     report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
     report.rejected = store.counts().rejectedPhotos;
     report.withoutPhoto = static_cast<int>(store.stationsWithoutPhoto().size()) - report.rejected;

@@ -281,7 +281,13 @@ KnownRoom roomOfDataset(const std::filesystem::path& folder) {
 
 KnownRoom roomOfSurvey(const std::filesystem::path& folder) {
     const auto store = store::SurveyStore::open(folder, store::Access::Read);
-    const survey::Room drawn = store.room();
+    const survey::Room drawn = store.knownRoom();
+    if (drawn.outline.empty()) {
+        throw Error(ErrorKind::NotFound,
+                    text("Could not make a world of the survey ", folder.string(),
+                         ": nobody has drawn its room, and its photos have not shown it. Export it with "
+                         "--scene depth and make the world of that dataset, or draw the room in Plan."));
+    }
     KnownRoom room{store.info().name, drawn.outline, 0, drawn.ceilingM, drawn.obstacles, {}};
     for (const store::PhotoRecord& photo : store.keptPhotos()) {
         room.places.push_back(photo.positionM);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
 #include "temporary_folder.h"
 #include "warnings.h"
 
 #include "spherewalk/base/file.h"
 #include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/measured_dataset.h"
 #include "spherewalk/jpeg/jpeg.h"
@@ -185,6 +187,18 @@ TEST_F(RobotSurvey, ARoomThatNobodyDrewIsFoundInThePhotosAndNothingIsSaidOfIt) {
     EXPECT_NEAR(*std::ranges::min_element(xs), 0, 0.3);
     EXPECT_NEAR(*std::ranges::max_element(xs), 5, 0.3);
     EXPECT_FALSE(dataset.isOutside({4.5, 3.5, 1.2}));
+}
+
+TEST_F(RobotSurvey, ASphereNeedsNoRoomAndAWorldOne) {
+    writeFile(m_folder / "far.csv", bytesOf("file,x_m,y_m,z_m,yaw_deg\nR0.JPG,11.5,11.2,1.2,0\n"));
+    auto store =
+        store::SurveyStore::create(m_folder / "hand.spherewalk", "hand", survey::unknownRoom(), {}, {});
+    importPhotos(store, {m_folder / "in", m_folder / "far.csv", 0.05, false}, noProgress(), {});
+    m_options.scene = render::SceneKind::Sphere;
+    exportDataset(store, m_folder / "hand", m_options, noProgress(), {});
+    EXPECT_NEAR(render::Dataset::open(m_folder / "hand").info().sphereRadiusM.value_or(0), 2, 0.5);
+    test::expectError(ErrorKind::NotFound, "nobody has drawn its room",
+                      [&] { worldRoomOf(m_folder / "hand.spherewalk"); });
 }
 
 } // namespace spherewalk::jobs
