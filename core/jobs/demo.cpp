@@ -117,6 +117,9 @@ class Demo {
     void align(store::SurveyStore& store) {
         ProgressStep aligning(m_progress, after(0), after(kAligned));
         m_report.aligned = alignSurvey(store, {}, aligning, m_stop);
+        for (const std::string& warning : m_report.aligned.alignment.warnings) {
+            m_progress.warning(warning);
+        }
         m_report.alignmentError =
             jobs::alignmentError(m_report.aligned, readTruePoses(store, m_folder / "truth.jsonl"));
     }

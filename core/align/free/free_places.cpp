@@ -418,9 +418,6 @@ FreePlaces freePlaces(std::span<const PhotoPrior> photos, std::span<const PhotoP
     throwIfStopped(stop);
     FreePlaces made = placesThatAgree(estimates, photos, pairs, options, progress, stop);
     made.lensHeightM = options.lensHeightM;
-    for (const std::string& warning : made.warnings) {
-        progress.warning(warning);
-    }
     progress.progress(1, "Placed");
     return made;
 }

@@ -286,41 +286,34 @@ void reconsider(std::vector<PhotoPrior>& priors, SolveOptions& options, const Co
     }
 }
 
-void warn(Alignment& alignment, ProgressSink& progress, const std::string& sentence) {
-    alignment.warnings.push_back(sentence);
-    progress.warning(sentence);
-}
-
-void warnOfComponents(Alignment& alignment, const PoseGraph& graph, std::span<const PhotoPrior> priors,
-                      ProgressSink& progress) {
+void warnOfComponents(Alignment& alignment, const PoseGraph& graph, std::span<const PhotoPrior> priors) {
     for (std::size_t i = 1; i < graph.components.size(); ++i) {
-        warn(alignment, progress,
-             text("The survey falls into ", graph.components.size(), " parts that share no photo pair; part ",
-                  i + 1, " is ", namesOf(graph.components[i].photos, priors),
-                  ". Each part is aligned for itself, by its positions: take photos between them."));
+        alignment.warnings.push_back(
+            text("The survey falls into ", graph.components.size(), " parts that share no photo pair; part ",
+                 i + 1, " is ", namesOf(graph.components[i].photos, priors),
+                 ". Each part is aligned for itself, by its positions: take photos between them."));
     }
 }
 
 void warnOfQuality(Alignment& alignment, const Component& component, const SolveAttempt& made,
-                   std::span<const PhotoPrior> priors, ProgressSink& progress) {
+                   std::span<const PhotoPrior> priors) {
     const std::string which = namesOf(component.photos, priors);
     if (!made.orientation.hasHeading) {
-        warn(alignment, progress,
-             text("Nothing fixes the common heading of ", which,
-                  ": they stand at one place. Only how they are turned to each other is known."));
+        alignment.warnings.push_back(
+            text("Nothing fixes the common heading of ", which,
+                 ": they stand at one place. Only how they are turned to each other is known."));
         return;
     }
     if (made.orientation.agreeingShare < kGoodHeadingShare) {
-        warn(alignment, progress,
-             text("The positions of ", which, " contradict what the photos show of them (",
-                  static_cast<int>(100 * made.orientation.agreeingShare),
-                  " % of the directions agree). Check the position tags, or state how rough they are."));
+        alignment.warnings.push_back(
+            text("The positions of ", which, " contradict what the photos show of them (",
+                 static_cast<int>(100 * made.orientation.agreeingShare),
+                 " % of the directions agree). Check the position tags, or state how rough they are."));
     }
     if (made.quality.agreeingShare < kGoodAgreeingShare) {
-        warn(alignment, progress,
-             text("The alignment of ", which, " is doubtful: only ",
-                  static_cast<int>(100 * made.quality.agreeingShare),
-                  " % of the matches that pairs agreed on fit it."));
+        alignment.warnings.push_back(text("The alignment of ", which, " is doubtful: only ",
+                                          static_cast<int>(100 * made.quality.agreeingShare),
+                                          " % of the matches that pairs agreed on fit it."));
     }
 }
 
@@ -377,7 +370,7 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
     const Candidates candidates{pairs, estimates, trackOf, {}, {}, noise};
     alignment.model = options.model == Model::Auto ? Model::Yaw : options.model;
     alignment.reason = options.model == Model::Auto ? "There was nothing to solve." : "It was asked for.";
-    warnOfComponents(alignment, graph, photos, progress);
+    warnOfComponents(alignment, graph, photos);
     std::vector<PhotoPrior> priors(photos.begin(), photos.end());
     double done = 0.02;
     for (std::size_t i = 0; i < graph.components.size(); ++i) {
@@ -406,13 +399,13 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
             alignment.trials = made.choice.trials;
             alignment.reason = made.choice.reason.empty() ? alignment.reason : made.choice.reason;
         }
-        warnOfQuality(alignment, component, made, photos, progress);
+        warnOfQuality(alignment, component, made, photos);
         const double commonLeanRad =
             report(input, made.choice.model, made.state, made.quality, made.orientation.hasHeading,
                    static_cast<int>(i), alignment, stop);
         for (const std::string& sentence :
              leanWarnings(alignment, input, made.state, commonLeanRad, namesOf(component.photos, photos))) {
-            warn(alignment, progress, sentence);
+            alignment.warnings.push_back(sentence);
         }
         doubtPhotos(input, made.state, made.sides, made.travel, alignment);
     }
