@@ -4099,8 +4099,8 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <translation>Der Ort von %1 wird geschrieben</translation>
     </message>
     <message>
-        <source>%1: %2 m² of surfaces. From the photos there is a surface in %3 % of all directions; the rest are holes. Two photos or more show %4 % of it.</source>
-        <translation>%1: %2 m² Oberflächen. Von den Fotos aus liegt in %3 % aller Richtungen eine Oberfläche; der Rest sind Löcher. Zwei oder mehr Fotos zeigen %4 % davon.</translation>
+        <source>%1: %L2 m² of surfaces. From the photos there is a surface in %L3 % of all directions; the rest are holes. Two photos or more show %L4 % of it.</source>
+        <translation>%1: %L2 m² Oberflächen. Von den Fotos aus liegt in %L3 % aller Richtungen eine Oberfläche; der Rest sind Löcher. Zwei oder mehr Fotos zeigen %L4 % davon.</translation>
     </message>
     <message>
         <source>Stopped; nothing was written.</source>
@@ -4196,8 +4196,8 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
 <context>
     <name>spherewalk::ui::PlanEditorView</name>
     <message>
-        <source>%1 m² not covered</source>
-        <translation>%1 m² nicht abgedeckt</translation>
+        <source>%L1 m² not covered</source>
+        <translation>%L1 m² nicht abgedeckt</translation>
     </message>
     <message>
         <source>%L1 m</source>
@@ -4423,12 +4423,20 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <translation>Die gewählte Ecke, das Hindernis, den Halt oder die Schiene entfernen (Entf)</translation>
     </message>
     <message>
+        <source>Nobody has drawn this room: the rectangle is only to begin with. Draw it as it is; without that, an export with depth finds it in the photos.</source>
+        <translation>Diesen Raum hat niemand gezeichnet: Das Rechteck ist nur ein Anfang. Zeichnen Sie ihn, wie er ist; sonst findet ihn ein Export mit Tiefe in den Fotos.</translation>
+    </message>
+    <message>
         <source>Stored. Align keeps the room as you drew it.</source>
         <translation>Gespeichert. Beim Ausrichten bleibt der Raum, wie Sie ihn gezeichnet haben.</translation>
     </message>
     <message>
         <source>The room is what the photos show. If you draw it as it is, Align keeps it so.</source>
         <translation>Der Raum ist, was die Fotos zeigen. Zeichnen Sie ihn, wie er ist, dann bleibt er beim Ausrichten so.</translation>
+    </message>
+    <message>
+        <source>Nobody knows where the photos stand. Align finds that out from the pictures alone; then their room can be drawn.</source>
+        <translation>Niemand weiß, wo die Fotos stehen. Ausrichten findet es allein aus den Bildern heraus; dann kann ihr Raum gezeichnet werden.</translation>
     </message>
 </context>
 <context>
@@ -4527,6 +4535,10 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>Corners of the room</source>
         <translation>Ecken des Raums</translation>
+    </message>
+    <message>
+        <source>Photos by hand, of unknown places</source>
+        <translation>Fotos von Hand, Orte unbekannt</translation>
     </message>
 </context>
 <context>
@@ -5823,6 +5835,10 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>Place of %1</source>
         <translation>Ort von %1</translation>
     </message>
+    <message>
+        <source>At x %L1, y %L2</source>
+        <translation>Bei x %L1, y %L2</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::StoryWords</name>
@@ -5895,6 +5911,13 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
             <numerusform>Der Standort hat %n anderes Foto.</numerusform>
             <numerusform>Der Standort hat %n andere Fotos.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::SurveyPlanView</name>
+    <message>
+        <source>Nobody knows this room yet, nor where its photos stand</source>
+        <translation>Diesen Raum kennt noch niemand, und auch nicht, wo seine Fotos stehen</translation>
     </message>
 </context>
 <context>

@@ -4127,8 +4127,8 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <translation>Zapisywanie miejsca z %1</translation>
     </message>
     <message>
-        <source>%1: %2 m² of surfaces. From the photos there is a surface in %3 % of all directions; the rest are holes. Two photos or more show %4 % of it.</source>
-        <translation>%1: %2 m² powierzchni. Ze zdjęć widać powierzchnię w %3 % wszystkich kierunków; reszta to dziury. Co najmniej dwa zdjęcia pokazują %4 % z niej.</translation>
+        <source>%1: %L2 m² of surfaces. From the photos there is a surface in %L3 % of all directions; the rest are holes. Two photos or more show %L4 % of it.</source>
+        <translation>%1: %L2 m² powierzchni. Ze zdjęć widać powierzchnię w %L3 % wszystkich kierunków; reszta to dziury. Co najmniej dwa zdjęcia pokazują %L4 % z niej.</translation>
     </message>
     <message>
         <source>Stopped; nothing was written.</source>
@@ -4224,8 +4224,8 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
 <context>
     <name>spherewalk::ui::PlanEditorView</name>
     <message>
-        <source>%1 m² not covered</source>
-        <translation>%1 m² bez pokrycia</translation>
+        <source>%L1 m² not covered</source>
+        <translation>%L1 m² bez pokrycia</translation>
     </message>
     <message>
         <source>%L1 m</source>
@@ -4451,12 +4451,20 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <translation>Usuń wybrany narożnik, przeszkodę, postój lub szynę (Delete)</translation>
     </message>
     <message>
+        <source>Nobody has drawn this room: the rectangle is only to begin with. Draw it as it is; without that, an export with depth finds it in the photos.</source>
+        <translation>Tego pomieszczenia nikt nie narysował: prostokąt to tylko początek. Narysuj je takie, jakie jest; bez tego eksport z głębią znajdzie je na zdjęciach.</translation>
+    </message>
+    <message>
         <source>Stored. Align keeps the room as you drew it.</source>
         <translation>Zapisano. Orientacja zachowa pomieszczenie tak, jak je narysowano.</translation>
     </message>
     <message>
         <source>The room is what the photos show. If you draw it as it is, Align keeps it so.</source>
         <translation>Pomieszczenie jest takie, jak widać na zdjęciach. Narysowane tak, jak jest, zostanie takie przy orientacji.</translation>
+    </message>
+    <message>
+        <source>Nobody knows where the photos stand. Align finds that out from the pictures alone; then their room can be drawn.</source>
+        <translation>Nie wiadomo, gdzie stoją zdjęcia. Orientacja ustali to z samych obrazów; potem można narysować ich pomieszczenie.</translation>
     </message>
 </context>
 <context>
@@ -4556,6 +4564,10 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>Ceilin&amp;g</source>
         <translation>Su&amp;fit</translation>
+    </message>
+    <message>
+        <source>Photos by hand, of unknown places</source>
+        <translation>Zdjęcia z ręki, miejsca nieznane</translation>
     </message>
 </context>
 <context>
@@ -5871,6 +5883,10 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>Place of %1</source>
         <translation>Miejsce zdjęcia %1</translation>
     </message>
+    <message>
+        <source>At x %L1, y %L2</source>
+        <translation>W x %L1, y %L2</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::StoryWords</name>
@@ -5945,6 +5961,13 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
             <numerusform>Stanowisko ma jeszcze %n zdjęcia.</numerusform>
             <numerusform>Stanowisko ma jeszcze %n zdjęć.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>spherewalk::ui::SurveyPlanView</name>
+    <message>
+        <source>Nobody knows this room yet, nor where its photos stand</source>
+        <translation>Tego pomieszczenia jeszcze nie znamy, ani miejsc jego zdjęć</translation>
     </message>
 </context>
 <context>

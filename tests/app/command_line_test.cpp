@@ -119,6 +119,10 @@ TEST(CommandLine, GoesFromPhotosByHandToADatasetWithoutAPlan) {
     EXPECT_THAT(made.output, HasSubstr("align --positions free"));
     ASSERT_EQ(runCli({"import", path("s.spherewalk"), "--photos", path("in")}).status, 0);
     EXPECT_EQ(runCli({"status", path("s.spherewalk")}).status, 0);
+    EXPECT_TRUE(runCli({"plan", path("s.spherewalk"), "--json"}).json()["floor_m2"].is_null());
+    const CliResult sheet = runCli({"plan", path("s.spherewalk"), "--sheet", path("sheet.pdf")});
+    EXPECT_NE(sheet.status, 0);
+    EXPECT_THAT(sheet.errors, HasSubstr("nobody has drawn it"));
     const CliResult aligned = runCli({"align", path("s.spherewalk"), "--positions", "free", "--json"});
     ASSERT_EQ(aligned.status, 0) << aligned.errors;
     EXPECT_EQ(aligned.json()["effort"], "fine");

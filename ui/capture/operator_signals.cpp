@@ -18,12 +18,12 @@ CapturePlanView::CapturePlanView(const CaptureDesk& desk, QWidget* parent)
     connect(&desk, &CaptureDesk::changed, this, qOverload<>(&QWidget::update));
 }
 
+bool CapturePlanView::isPlaced(const store::StationRecord& station) const {
+    return m_desk.isPlaced(station);
+}
+
 std::vector<StationMark> CapturePlanView::marks(const SurveyState& survey) const {
     std::vector<StationMark> result = SurveyPlanView::marks(survey);
-    std::erase_if(result, [&](const StationMark& mark) {
-        const auto station = std::ranges::find(survey.stations, mark.id, &store::StationRecord::id);
-        return station != survey.stations.end() && !m_desk.isPlaced(*station);
-    });
     for (StationMark& mark : result) {
         if (m_desk.isAgain(mark.id)) {
             mark.standing = Standing::Missing;
@@ -38,7 +38,9 @@ void CapturePlanView::paintFloor(QPainter& painter, const QTransform& widgetFrom
     if (session() == nullptr) {
         return;
     }
-    paintCorners(painter, widgetFromRoom);
+    if (!session()->state().plan.placements.empty()) {
+        paintCorners(painter, widgetFromRoom);
+    }
     if (!m_desk.next()) {
         return;
     }

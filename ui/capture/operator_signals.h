@@ -21,6 +21,7 @@ class CapturePlanView : public SurveyPlanView {
 
   protected:
     std::vector<StationMark> marks(const SurveyState& survey) const override;
+    bool isPlaced(const store::StationRecord& station) const override;
     void paintFloor(QPainter& painter, const QTransform& widgetFromRoom) override;
 
   private:

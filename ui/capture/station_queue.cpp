@@ -33,7 +33,8 @@ void StationQueue::begin(const SurveyState* survey) {
 
 void StationQueue::markRails(const SurveyState* survey) {
     m_room = survey != nullptr ? survey->room : survey::Room();
-    m_rails = survey != nullptr ? survey::railMarks(m_room, survey->plan) : std::vector<survey::RailMark>();
+    const bool hasRails = survey != nullptr && !survey->plan.placements.empty();
+    m_rails = hasRails ? survey::railMarks(m_room, survey->plan) : std::vector<survey::RailMark>();
     m_rooms.clear();
     m_roomOfRail.clear();
     if (!m_room.names.empty()) {

@@ -62,8 +62,8 @@ void PlacePresenter::exportNow(const std::set<jobs::PlaceFormat>& formats) {
 
 void PlacePresenter::show(const QString& folder, const jobs::PlaceReport& report) {
     m_exported = folder;
-    m_words = tr("%1: %2 m² of surfaces. From the photos there is a surface in %3 % of all directions; the "
-                 "rest are holes. Two photos or more show %4 % of it.")
+    m_words = tr("%1: %L2 m² of surfaces. From the photos there is a surface in %L3 % of all directions; the "
+                 "rest are holes. Two photos or more show %L4 % of it.")
                   .arg(folder)
                   .arg(report.areaM2, 0, 'f', 1)
                   .arg(100 * report.seenShare, 0, 'f', 1)

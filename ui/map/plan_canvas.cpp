@@ -125,9 +125,10 @@ void PlanCanvas::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void PlanCanvas::paintRoom(QPainter& painter, const survey::Room& room, const QColor& floor,
-                           const QTransform& widgetFromRoom) const {
+                           const QTransform& widgetFromRoom, Qt::PenStyle walls) const {
     const QColor ink = palette().color(QPalette::WindowText);
-    painter.setPen(QPen(ink, 3, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    const bool isWhole = walls == Qt::SolidLine;
+    painter.setPen(QPen(ink, isWhole ? 3 : 1.5, walls, isWhole ? Qt::SquareCap : Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(floor);
     painter.drawPolygon(mapped(room.outline, widgetFromRoom));
     painter.setPen(QPen(ink, 1.2));

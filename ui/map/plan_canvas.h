@@ -58,7 +58,7 @@ class PlanCanvas : public QWidget {
 
     /// Draws the floor in this colour, the walls and the obstacles.
     void paintRoom(QPainter& painter, const survey::Room& room, const QColor& floor,
-                   const QTransform& widgetFromRoom) const;
+                   const QTransform& widgetFromRoom, Qt::PenStyle walls = Qt::SolidLine) const;
     /// Draws the names of the rooms, each on a plate.
     void paintNames(QPainter& painter, const survey::Room& room, const QTransform& widgetFromRoom) const;
 

@@ -4,6 +4,8 @@
 #include "ui/look/theme.h"
 #include "ui/map/station_words.h"
 
+#include "spherewalk/base/statistics.h"
+
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QToolTip>
@@ -17,15 +19,17 @@ namespace spherewalk::ui {
 
 namespace {
 
-/// Returns the least distance of neighbours along the walk, which is the step of the grid.
+/// Returns the usual distance of neighbours along the walk, which on a plan is the step of its grid.
 double spacing(const std::vector<StationMark>& marks) {
     constexpr double kSamePlaceM = 1e-3;
-    double least = INFINITY;
+    std::vector<double> distances;
     for (std::size_t i = 1; i < marks.size(); ++i) {
         const double distance = (marks[i].positionM - marks[i - 1].positionM).norm();
-        least = distance > kSamePlaceM ? std::min(least, distance) : least;
+        if (distance > kSamePlaceM) {
+            distances.push_back(distance);
+        }
     }
-    return std::isfinite(least) ? least : 1;
+    return distances.empty() ? 1 : median(std::move(distances));
 }
 
 } // namespace
@@ -40,15 +44,29 @@ PlanView::PlanView(QWidget* parent) : PlanCanvas(parent) {
 
 void PlanView::setRoom(const survey::Room& room) {
     m_room = room;
-    if (!room.outline.empty()) {
-        setExtent(bounds(room.outline));
-    }
-    update();
+    showAll();
 }
 
 void PlanView::setStations(std::vector<StationMark> stations) {
     m_stations = std::move(stations);
     m_spacingM = spacing(m_stations);
+    showAll();
+}
+
+void PlanView::showAll() {
+    constexpr double kAroundM = 1; // So that one photo is not the whole plan.
+    Polygon corners = m_room.outline;
+    for (const StationMark& mark : m_stations) {
+        corners.push_back(mark.positionM);
+    }
+    if (!corners.empty()) {
+        Bounds2 extent = bounds(corners);
+        if (m_room.outline.empty()) {
+            extent.least.array() -= kAroundM;
+            extent.greatest.array() += kAroundM;
+        }
+        setExtent(extent);
+    }
     update();
 }
 
@@ -71,7 +89,7 @@ QColor PlanView::heatColour(double heat) {
 }
 
 QString PlanView::words() const {
-    return m_room.outline.empty() ? emptyText() : QString();
+    return m_room.outline.empty() && m_stations.empty() ? emptyText() : QString();
 }
 
 QString PlanView::emptyText() const {
@@ -79,7 +97,7 @@ QString PlanView::emptyText() const {
 }
 
 bool PlanView::showsGrid() const {
-    return !m_room.outline.empty();
+    return words().isEmpty();
 }
 
 double PlanView::stationRadiusPx() const {
@@ -103,13 +121,15 @@ const StationMark* PlanView::markAt(const QPointF& at) const {
 }
 
 void PlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
-    if (m_room.outline.empty()) {
+    if (const QString sentence = words(); !sentence.isEmpty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(rect(), Qt::AlignCenter, words());
+        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, sentence);
         return;
     }
-    paintRoom(painter, m_room, palette().color(QPalette::Base), widgetFromRoom);
-    paintNames(painter, m_room, widgetFromRoom);
+    if (!m_room.outline.empty()) {
+        paintRoom(painter, m_room, palette().color(QPalette::Base), widgetFromRoom);
+        paintNames(painter, m_room, widgetFromRoom);
+    }
     for (const StationMark& mark : m_stations) {
         const QPointF at = mapped(mark.positionM, widgetFromRoom);
         paintMark(painter, mark, at);
@@ -220,13 +240,24 @@ void SurveyPlanView::showRoom() {
     fit();
 }
 
+QString SurveyPlanView::emptyText() const {
+    return m_session ? tr("Nobody knows this room yet, nor where its photos stand") : PlanView::emptyText();
+}
+
 void SurveyPlanView::refresh() {
     setStations(m_session ? marks(m_session->state()) : std::vector<StationMark>());
+}
+
+bool SurveyPlanView::isPlaced(const store::StationRecord& station) const {
+    return station.isPlaceKnown;
 }
 
 std::vector<StationMark> SurveyPlanView::marks(const SurveyState& survey) const {
     std::vector<StationMark> result;
     for (const store::StationRecord& station : survey.stations) {
+        if (!isPlaced(station)) {
+            continue;
+        }
         StationMark mark;
         mark.id = station.id;
         mark.positionM = station.station.positionM.head<2>();

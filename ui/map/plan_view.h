@@ -63,6 +63,7 @@ class PlanView : public PlanCanvas {
     void keyPressEvent(QKeyEvent* event) override;
 
   private:
+    void showAll(); ///< The extent of walls and stations.
     double stationRadiusPx() const;
     /// Returns the mark at this point of the widget; null without one.
     const StationMark* markAt(const QPointF& at) const;
@@ -93,6 +94,9 @@ class SurveyPlanView : public PlanView {
   protected:
     /// Returns the marks of the stations. Here they tell the standing of each station's photo.
     virtual std::vector<StationMark> marks(const SurveyState& survey) const;
+    /// Returns whether it is known where the station is. Others are not shown.
+    virtual bool isPlaced(const store::StationRecord& station) const;
+    QString emptyText() const override;
 
   private:
     void showRoom();

@@ -44,6 +44,12 @@ QString tapeWords(const survey::MarkedPoint& point, const survey::Room& room) {
 
 /// Of a photo by hand, or of one that came without a place.
 QString unplannedWords(const QString& name) {
+    static const QRegularExpression position(R"(^unplanned position \((-?[0-9.]+), (-?[0-9.]+)\)$)");
+    if (const QRegularExpressionMatch found = position.match(name); found.hasMatch()) {
+        return StationWords::tr("At x %L1, y %L2")
+            .arg(found.captured(1).toDouble(), 0, 'f', 2)
+            .arg(found.captured(2).toDouble(), 0, 'f', 2);
+    }
     static const QRegularExpression unplanned("^(unknown place|unknown place of|place of) (\\S+)$");
     const QRegularExpressionMatch found = unplanned.match(name);
     const QString kind = found.captured(1);

@@ -49,7 +49,7 @@ jobs::GridStudy studied(const std::filesystem::path& survey, const GridQuestion&
     jobs::GridStudyOptions options;
     options.tolerancePx = question.tolerancePx;
     options.withDepth = question.withDepth;
-    options.room = store.room();
+    options.room = store.knownRoom();
     options.plan = store.planOptions();
     options.cacheFolder = cache / "results";
     ProgressStep studying(progress, kExportShare, 1);

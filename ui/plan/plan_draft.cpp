@@ -94,7 +94,11 @@ PlanOutcome outcomeOf(const PlanDraft& draft) {
     try {
         PlanOutcome outcome;
         outcome.plan = planOf(draft);
-        outcome.report = survey::report(draft.room, draft.options, outcome.plan);
+        if (draft.isRoomKnown) {
+            outcome.report = survey::report(draft.room, draft.options, outcome.plan);
+        } else {
+            outcome.report.stations = static_cast<int>(outcome.plan.stations.size());
+        }
         return outcome;
     } catch (const Error& error) {
         return {{}, {}, coreWords(withLetters(QString::fromStdString(error.sentence())))};

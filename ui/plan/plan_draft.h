@@ -19,6 +19,7 @@ struct PlanDraft {
     bool laysRest = false;                         ///< The program lays more rails around those.
     bool hasRails = true;                          ///< Photos by hand need none.
     std::vector<survey::Station> byHand = {};      ///< Where photos by hand stand.
+    bool isRoomKnown = true;                       ///< Else the room is only something to begin with.
 };
 
 /// Returns a rectangular room for a new survey.

@@ -115,6 +115,7 @@ void PlanEditor::change(const QString& text, const std::function<void(PlanDraft&
         return;
     }
     PlanDraft after = m_draft;
+    after.isRoomKnown = true; // Who changes a room takes it for one.
     apply(after);
     m_undoStack.push(new Step(*this, text, m_draft, std::move(after), key));
 }

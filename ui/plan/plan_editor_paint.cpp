@@ -31,7 +31,8 @@ void PlanEditorView::paintFloor(QPainter& painter, const QTransform& widgetFromR
     paintPicture(painter, widgetFromRoom);
     QColor floor = palette().color(QPalette::Base);
     floor.setAlphaF(m_picture.isEmpty() ? 1.0F : 0.3F);
-    paintRoom(painter, m_editor.draft().room, floor, widgetFromRoom);
+    paintRoom(painter, m_editor.draft().room, floor, widgetFromRoom,
+              m_editor.draft().isRoomKnown ? Qt::SolidLine : Qt::DashLine);
     paintPlan(painter, widgetFromRoom);
     paintNames(painter, m_editor.draft().room, widgetFromRoom);
     paintUncovered(painter, widgetFromRoom);
@@ -123,7 +124,7 @@ void PlanEditorView::paintUncovered(QPainter& painter, const QTransform& widgetF
         painter.setBrush(Qt::NoBrush);
         painter.drawLine(at + QPointF(-5, -5), at + QPointF(5, 5));
         painter.drawLine(at + QPointF(-5, 5), at + QPointF(5, -5));
-        painter.drawText(at + QPointF(9, 4), tr("%1 m² not covered").arg(area.areaM2, 0, 'f', 2));
+        painter.drawText(at + QPointF(9, 4), tr("%L1 m² not covered").arg(area.areaM2, 0, 'f', 2));
     }
 }
 

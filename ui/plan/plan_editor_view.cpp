@@ -63,7 +63,11 @@ void PlanEditorView::setTool(Tool tool) {
 }
 
 void PlanEditorView::fitRoom() {
-    Bounds2 extent = bounds(m_editor.draft().room.outline);
+    Polygon shown = m_editor.draft().room.outline;
+    for (const survey::Station& photo : m_editor.draft().byHand) {
+        shown.emplace_back(photo.positionM.head<2>());
+    }
+    Bounds2 extent = bounds(shown);
     if (!m_picture.isEmpty()) {
         const QRectF picture = m_picture.extent();
         extent.least = extent.least.cwiseMin(vectorOf(picture.topLeft()));

@@ -155,9 +155,9 @@ QToolBar* PlanMode::makeToolBar() {
     addAction("fit", tr("Fit"), tr("Bring the whole room into sight (0)"), [this] { m_view->fitRoom(); });
     addAction("picture", tr("Picture"), tr("Lay a floor plan under the drawing, or take it away"),
               [this] { m_view->picture().isEmpty() ? choosePicture() : removePicture(); });
-    addAction("sheet", tr("Sheet"),
-              tr("Write the marking-out sheet: the plan to scale with tape distances, as PDF"),
-              [this] { chooseSheet(); });
+    m_sheet = addAction("sheet", tr("Sheet"),
+                        tr("Write the marking-out sheet: the plan to scale with tape distances, as PDF"),
+                        [this] { chooseSheet(); });
     if (auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button")) {
         more->setIcon(ui::icon("more")); // Qt's own is not seen in the dark
     }
@@ -186,7 +186,7 @@ QWidget* PlanMode::makeScaleForm() {
 
 QWidget* PlanMode::makeLocked() {
     auto* section = new Section(tr("The plan is fixed"), this);
-    section->addWords()->setText(tr("Photos stand on this plan, or another program writes the survey."));
+    m_lockedWords = section->addWords();
     auto* begin = new QPushButton(ui::icon("new"), tr("New survey with this room"), section);
     begin->setObjectName("newWithThisRoom");
     section->layout()->addWidget(begin);
@@ -198,6 +198,7 @@ void PlanMode::beginWithThisRoom() {
     m_nextDraft = m_editor.draft();
     m_nextDraft->hasRails = true;
     m_nextDraft->byHand.clear();
+    m_nextDraft->isRoomKnown = true;
     emit newRequested();
 }
 
@@ -246,6 +247,11 @@ void PlanMode::showState() {
     m_form->setVisible(state == State::New);
     m_form->setPossible(m_editor.outcome().problem.isEmpty());
     m_locked->setVisible(state == State::Locked);
+    m_lockedWords->setText(m_editor.draft().hasRails
+                               ? tr("Photos stand on this plan, or another program writes the survey.")
+                               : tr("Nobody knows where the photos stand. Align finds that out from the "
+                                    "pictures alone; then their room can be drawn."));
+    m_sheet->setEnabled(m_editor.draft().isRoomKnown);
     m_stored->setVisible(state == State::Stored || state == State::Edited);
     m_stored->setText(storedWords());
     using Tool = PlanEditorView::Tool;
@@ -264,6 +270,10 @@ QString PlanMode::storedWords() const {
     }
     if (m_editor.draft().hasRails) {
         return tr("Stored.");
+    }
+    if (m_storage.isRoomUnknown()) {
+        return tr("Nobody has drawn this room: the rectangle is only to begin with. Draw it as it is; "
+                  "without that, an export with depth finds it in the photos.");
     }
     return m_storage.isRoomDrawn()
                ? tr("Stored. Align keeps the room as you drew it.")

@@ -79,6 +79,7 @@ class PlanMode : public Mode {
     PlanEditorView* m_view;
     NewSurveyForm* m_form = nullptr;
     QWidget* m_locked = nullptr;
+    QLabel* m_lockedWords = nullptr;
     QLabel* m_stored = nullptr;
     QLabel* m_hint = nullptr;
     QWidget* m_scaleForm = nullptr;
@@ -86,6 +87,7 @@ class PlanMode : public Mode {
     QLineF m_scaleLine;
     QActionGroup* m_tools = nullptr;
     QList<QAction*> m_edits; ///< Disabled while the plan is locked.
+    QAction* m_sheet = nullptr;
     QString m_surveyId;
     QString m_surveyName;
     std::optional<PlanDraft> m_nextDraft; ///< Room of the next new survey.

@@ -274,8 +274,11 @@ void PlanPanel::showOutcome() {
     for (QLabel* label : {m_counts, m_walk, m_floor, m_uncovered}) {
         label->setVisible(isPlan);
     }
-    m_walk->setVisible(isPlan && m_editor.draft().hasRails);
-    m_counts->setText(countsText(outcome.report));
+    const bool hasRails = m_editor.draft().hasRails;
+    m_walk->setVisible(isPlan && hasRails);
+    m_floor->setVisible(isPlan && outcome.report.floorM2 > 0);
+    m_counts->setText(hasRails || outcome.report.stations > 0 ? countsText(outcome.report)
+                                                              : tr("Photos by hand, of unknown places"));
     m_walk->setText(walkText(outcome.report));
     m_floor->setText(floorText(outcome.report));
     m_uncovered->setText(uncoveredText(outcome.report, m_editor.draft().options).join("\n"));

@@ -23,6 +23,34 @@ namespace {
 
 constexpr auto kPlaceKey = "surveysPlace";
 
+/// Where photos by hand stand, as far as that is known.
+std::vector<survey::Station> knownPlaces(const SurveyState& survey) {
+    std::vector<survey::Station> places;
+    for (const store::StationRecord& station : survey.stations) {
+        if (survey.isByHand() && station.isPlaceKnown) {
+            places.push_back(station.station);
+        }
+    }
+    return places;
+}
+
+/// A room to begin with where nobody knows it: a rectangle around the photos.
+survey::Room roomAround(const std::vector<survey::Station>& photos) {
+    constexpr double kAroundM = 1;
+    survey::Room room = survey::unknownRoom();
+    Polygon places;
+    for (const survey::Station& photo : photos) {
+        places.emplace_back(photo.positionM.head<2>());
+    }
+    if (!places.empty()) {
+        const Bounds2 around = bounds(places);
+        const Eigen::Vector2d a = around.least.array() - kAroundM;
+        const Eigen::Vector2d b = around.greatest.array() + kAroundM;
+        room.outline = {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
+    }
+    return room;
+}
+
 } // namespace
 
 PlanStorage::PlanStorage(PlanEditor& editor, QObject* parent) : QObject(parent), m_editor(editor) {
@@ -65,12 +93,11 @@ void PlanStorage::setSession(SurveySession* session) {
     read(true);
 }
 
-/// Whether nobody may change the plan. The room of photos by hand may be drawn anew once their places are
-/// known.
+/// Whether nobody may change the plan. The room of photos by hand may be drawn once one of them stands in it.
 bool PlanStorage::isLocked(const SurveyState& survey) const {
     const store::Counts& counts = survey.counts;
     const bool isInUse = counts.photos + counts.openShots + counts.unclearShots > 0;
-    return m_session->isReadOnly() || (isInUse && (!survey.isByHand() || survey.hasUnknownPlaces()));
+    return m_session->isReadOnly() || (isInUse && knownPlaces(survey).empty());
 }
 
 void PlanStorage::read(bool isOther) {
@@ -79,8 +106,10 @@ void PlanStorage::read(bool isOther) {
     PlanDraft draft{survey.room, survey.options,
                     survey.plan.isByHand ? survey.plan.placements : std::vector<survey::RailPlacement>(),
                     false, !survey.isByHand()};
-    if (survey.isByHand() && !survey.hasUnknownPlaces()) {
-        draft.byHand = survey.plan.stations;
+    draft.byHand = knownPlaces(survey);
+    draft.isRoomKnown = !survey.room.outline.empty();
+    if (!draft.isRoomKnown) {
+        draft.room = roomAround(draft.byHand);
     }
     const PlanDraft& shown = m_editor.draft();
     const bool isSameRoom = shown.room.outline == draft.room.outline &&

@@ -35,22 +35,6 @@ std::vector<StationMark> marksOf(const render::DatasetInfo& info) {
     return marks;
 }
 
-/// Returns the room, or the rectangle around the photos if the dataset has no room.
-survey::Room roomOf(const render::DatasetInfo& info) {
-    survey::Room room{info.outline, info.obstacles, info.ceilingM};
-    if (room.outline.empty()) {
-        Polygon places;
-        for (const render::DatasetPhoto& photo : info.photos) {
-            places.emplace_back(photo.roomFromPhoto.translation.head<2>());
-        }
-        const Bounds2 area = bounds(places);
-        const Eigen::Vector2d a = area.least - Eigen::Vector2d(1, 1);
-        const Eigen::Vector2d b = area.greatest + Eigen::Vector2d(1, 1);
-        room.outline = {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
-    }
-    return room;
-}
-
 Radians fieldOf(const CameraIntrinsics& camera) {
     const CameraModel model(camera);
     const double y = 0.5 * (camera.height - 1);
@@ -441,8 +425,9 @@ void RobotMap::showDataset() {
         setRoom({});
         return setStations({});
     }
-    setRoom(roomOf(m_presenter.dataset()->info()));
-    setStations(marksOf(m_presenter.dataset()->info()));
+    const render::DatasetInfo& info = m_presenter.dataset()->info();
+    setRoom({info.outline, info.obstacles, info.ceilingM});
+    setStations(marksOf(info));
 }
 
 } // namespace spherewalk::ui

@@ -82,6 +82,9 @@ std::vector<StationMark> CoverageView::marks(const SurveyState& /*survey*/) cons
     const double scale = greatest();
     std::vector<StationMark> marks;
     for (const ReviewRow& row : m_rows) {
+        if (!row.isPlaced) {
+            continue;
+        }
         StationMark mark;
         mark.id = row.station;
         mark.positionM = row.positionM.head<2>();

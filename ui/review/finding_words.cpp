@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/finding_words.h"
 
+#include "ui/look/core_words.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -67,7 +69,7 @@ QString shortText(const photo::Finding& finding) {
 }
 
 QString shortText(const QString& sentence) {
-    return placeIn(sentence).hasMatch() ? foreignText(sentence) : sentence;
+    return placeIn(sentence).hasMatch() ? foreignText(sentence) : coreWords(sentence);
 }
 
 std::optional<PhotoArea> areaOf(const QString& sentence) {

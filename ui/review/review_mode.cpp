@@ -430,9 +430,9 @@ void ReviewMode::showNeighbours() {
     m_neighbour->clear();
     const ReviewRow* row = m_presenter->current();
     for (const ReviewRow* neighbour : m_presenter->neighbours()) {
-        m_neighbour->addItem(tr("%1, %2 cm away")
-                                 .arg(neighbour->stationName)
-                                 .arg(100 * (neighbour->positionM - row->positionM).norm(), 0, 'f', 0));
+        const QString& name = neighbour->stationName;
+        const std::optional<double> metres = apartM(*row, *neighbour);
+        m_neighbour->addItem(metres ? tr("%1, %2 cm away").arg(name).arg(100 * *metres, 0, 'f', 0) : name);
     }
     m_neighbour->setCurrentIndex(std::min(std::max(0, chosen), m_neighbour->count() - 1));
     m_align->setVisible(m_viewer->presenter().isComparingUnaligned());

@@ -143,6 +143,10 @@ ShownPhoto ReviewRow::shown() const {
             shownRegions};
 }
 
+std::optional<double> apartM(const ReviewRow& a, const ReviewRow& b) {
+    return a.isPlaced && b.isPlaced ? std::optional((a.positionM - b.positionM).norm()) : std::nullopt;
+}
+
 std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
                                   const std::optional<jobs::SolutionFindings>& findings) {
     std::map<std::int64_t, store::PhotoRecord> photos; // by station
@@ -180,6 +184,7 @@ std::vector<ReviewRow> reviewRows(const store::SurveyStore& store,
         row.standing = standing.at(station.id);
         row.stationName = stationWords(station.name);
         row.positionM = station.station.positionM;
+        row.isPlaced = station.isPlaceKnown;
         if (const auto photo = photos.find(station.id); photo != photos.end()) {
             fill(row, photo->second, store.photoFolder());
             if (const auto review = reviews.find(*row.photo); review != reviews.end()) {

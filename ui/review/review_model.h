@@ -26,6 +26,7 @@ struct ReviewRow {
     std::int64_t station = 0;
     QString stationName;                                 ///< In the user's language.
     Eigen::Vector3d positionM = Eigen::Vector3d::Zero(); ///< Place of the station in the room.
+    bool isPlaced = true;                                ///< Whether that is known.
     Standing standing = Standing::Missing;
 
     // The following members describe the chosen photo, if there is one.
@@ -49,6 +50,9 @@ struct ReviewRow {
     /// photo.
     ShownPhoto shown() const;
 };
+
+/// Returns how far apart two stations are, metres; nothing where nobody knows that.
+std::optional<double> apartM(const ReviewRow& a, const ReviewRow& b);
 
 /// Returns one row for each station, in walking order. findings: those of the active solution. Errors: those
 /// of the store.

@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t kMostNeighbours = 8;
 
+/// The nearest photos, then those of unknown place that were taken soon before or after.
 std::vector<const ReviewRow*> nearest(const std::vector<ReviewRow>& rows, const ReviewRow& to) {
     std::vector<const ReviewRow*> others;
     for (const ReviewRow& row : rows) {
@@ -30,7 +31,10 @@ std::vector<const ReviewRow*> nearest(const std::vector<ReviewRow>& rows, const 
             others.push_back(&row);
         }
     }
-    const auto distance = [&](const ReviewRow* row) { return (row->positionM - to.positionM).norm(); };
+    const auto distance = [&](const ReviewRow* row) {
+        const std::optional<double> metres = apartM(*row, to);
+        return std::pair(!metres, metres.value_or(std::abs(static_cast<double>(row->station - to.station))));
+    };
     const auto end = others.begin() + static_cast<std::ptrdiff_t>(std::min(kMostNeighbours, others.size()));
     std::partial_sort(others.begin(), end, others.end(),
                       [&](const ReviewRow* a, const ReviewRow* b) { return distance(a) < distance(b); });
@@ -40,11 +44,13 @@ std::vector<const ReviewRow*> nearest(const std::vector<ReviewRow>& rows, const 
 
 /// Returns the radius of a sphere around the middle of the stations that stands for the room.
 std::optional<double> radiusOf(const survey::Room& room, const std::vector<ReviewRow>& rows) {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int placed = 0;
     for (const ReviewRow& row : rows) {
-        middle += row.positionM / static_cast<double>(rows.size());
+        sum += row.isPlaced ? row.positionM : Eigen::Vector3d::Zero();
+        placed += row.isPlaced ? 1 : 0;
     }
-    return rows.empty() ? std::nullopt : scene::sphereRadius(room, {middle});
+    return placed == 0 ? std::nullopt : scene::sphereRadius(room, {sum / placed});
 }
 
 Surroundings surroundingsOf(const survey::Room& room, const std::vector<ReviewRow>& rows) {

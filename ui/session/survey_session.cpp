@@ -73,7 +73,7 @@ std::map<std::int64_t, Standing> standings(const store::SurveyStore& store,
 
 SurveyState readState(const store::SurveyStore& store) {
     SurveyState state;
-    state.room = store.room();
+    state.room = store.knownRoom();
     state.options = store.planOptions();
     state.profile = store.captureProfile();
     state.plan = store.plan();

@@ -31,7 +31,7 @@ std::map<std::int64_t, Standing> standings(const store::SurveyStore& store,
 
 /// What every page reads of a survey, in memory. The database answers late while somebody writes it.
 struct SurveyState {
-    survey::Room room;
+    survey::Room room; ///< Empty where nobody knows it.
     survey::PlanOptions options;
     std::optional<survey::CaptureProfile> profile; ///< Exposure settings; nothing: the camera stays as it is.
     survey::Plan plan;

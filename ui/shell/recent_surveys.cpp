@@ -25,10 +25,19 @@ constexpr int kPicturePx = 56;
 /// Draws the plan of a survey as small as a thumbnail.
 QImage pictureOf(const store::SurveyStore& store, const std::set<std::int64_t>& missing) {
     constexpr double kMarginPx = 4;
-    const survey::Room room = store.room();
-    const Bounds2 extent = bounds(room.outline);
+    constexpr double kLeastM = 1;
+    const survey::Room room = store.knownRoom();
+    const std::vector<store::StationRecord> stations = store.stations();
+    Polygon shown = room.outline;
+    for (const store::StationRecord& station : stations) {
+        shown.emplace_back(station.station.positionM.head<2>());
+    }
+    if (shown.empty()) {
+        shown.emplace_back(0, 0);
+    }
+    const Bounds2 extent = bounds(shown);
     const Eigen::Vector2d size = extent.greatest - extent.least;
-    const double scale = (kPicturePx - 2 * kMarginPx) / size.maxCoeff();
+    const double scale = (kPicturePx - 2 * kMarginPx) / std::max(size.maxCoeff(), kLeastM);
     const auto at = [&](const Eigen::Vector2d& pInRoom) {
         const Eigen::Vector2d from = pInRoom - 0.5 * (extent.least + extent.greatest);
         return QPointF(0.5 * kPicturePx + scale * from.x(), 0.5 * kPicturePx - scale * from.y());
@@ -44,7 +53,7 @@ QImage pictureOf(const store::SurveyStore& store, const std::set<std::int64_t>& 
     painter.setPen(QPen(Qt::gray, 1.5));
     painter.drawPolygon(walls);
     painter.setPen(QPen(goodColour(), 1));
-    for (const store::StationRecord& station : store.stations()) {
+    for (const store::StationRecord& station : stations) {
         painter.setBrush(missing.contains(station.id) ? QBrush(Qt::NoBrush) : QBrush(goodColour()));
         painter.drawEllipse(at(station.station.positionM.head<2>()), 1.5, 1.5);
     }

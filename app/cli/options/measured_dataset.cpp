@@ -59,7 +59,7 @@ fs::path MeasuredDataset::resultFolder(Context& context) const {
 std::pair<survey::Room, survey::PlanOptions> MeasuredDataset::plan(const render::DatasetInfo& info) const {
     if (isSurvey()) {
         const auto store = store::SurveyStore::open(m_options.folder(), store::Access::Read);
-        return {store.room(), store.planOptions()};
+        return {store.knownRoom(), store.planOptions()};
     }
     return {{info.outline, info.obstacles, info.ceilingM}, {}};
 }

@@ -49,7 +49,9 @@ std::string reasonLine(const survey::PlanReport& report, survey::UncoveredReason
 
 std::string planText(const survey::PlanReport& report, const survey::PlanOptions& options) {
     if (report.placements == 0) {
-        return text(report.stations, " places, on no rail. Floor ", fixed(report.floorM2, 2), " m2.");
+        return text(report.stations, " places, on no rail. ",
+                    report.floorM2 > 0 ? text("Floor ", fixed(report.floorM2, 2), " m2.")
+                                       : "Nobody has drawn the room, and no photos have shown it.");
     }
     const double share = report.floorM2 > 0 ? 100 * report.uncoveredM2 / report.floorM2 : 0;
     std::string result =
@@ -77,8 +79,8 @@ Json planJson(const survey::PlanReport& report, const survey::PlanOptions& optio
             {"placements", report.placements},
             {"metres_walked", report.metresWalked},
             {"minutes", report.minutes},
-            {"floor_m2", report.floorM2},
-            {"uncovered_m2", report.uncoveredM2},
+            {"floor_m2", report.floorM2 > 0 ? Json(report.floorM2) : Json()},
+            {"uncovered_m2", report.floorM2 > 0 ? Json(report.uncoveredM2) : Json()},
             {"uncovered", uncovered}};
 }
 
@@ -181,7 +183,13 @@ Result shownPlan(const PlanArguments& options) {
     const auto store = store::SurveyStore::open(options.survey, store::Access::Read);
     const survey::PlanOptions planOptions = store.planOptions();
     const survey::Plan plan = store.plan();
-    const survey::PlanReport report = survey::report(store.room(), planOptions, plan);
+    const survey::Room known = store.knownRoom();
+    survey::PlanReport report;
+    if (known.outline.empty()) {
+        report.stations = static_cast<int>(plan.stations.size());
+    } else {
+        report = survey::report(known, planOptions, plan);
+    }
     Json json = planJson(report, planOptions);
     std::string words = planText(report, planOptions);
     Json rails = Json::array();
@@ -207,7 +215,14 @@ Result shownPlan(const PlanArguments& options) {
     }
     json["station_list"] = stations;
     if (!options.sheet.empty()) {
-        writeFile(options.sheet, report::markingSheet(store.info().name, store.room(), planOptions, plan));
+        if (known.outline.empty()) {
+            throw Error(
+                ErrorKind::InvalidInput,
+                text("The survey ", options.survey,
+                     " has no room for a marking sheet: nobody has drawn it, and no photos have shown "
+                     "it. Draw it on the Plan page, or take out --sheet."));
+        }
+        writeFile(options.sheet, report::markingSheet(store.info().name, known, planOptions, plan));
         json["sheet"] = options.sheet;
         words += text("\nWrote ", options.sheet, ": the plan to scale, and the tape distances of each rail.");
     }

@@ -151,7 +151,9 @@ class SurveyWords {
             throw Error(ErrorKind::Busy, "The survey has changed while its page was made: export it again.");
         }
         page.hasReview = true;
-        page.room = m_store.room();
+        if (survey::Room room = m_store.knownRoom(); !room.outline.empty()) {
+            page.room = std::move(room);
+        }
         for (std::size_t i = 0; i < page.photos.size(); ++i) {
             put(m_exported.photos[i].id, page.photos[i]);
         }

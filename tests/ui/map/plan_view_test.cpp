@@ -32,9 +32,12 @@ StationMark mark(Standing standing) {
 TEST(StationWords, AreThePlansOwnNamesInTheUsersWords) {
     EXPECT_EQ(stationWords("rail 3, stop 12"), "Rail 3, stop 12");
     EXPECT_EQ(stationWords("rail 1, stop 2 at 1.20 m"), "Rail 1, stop 2, at 1.20 m");
-    for (const std::string name : {"unplanned position (1.00, 2.00)", "rail 1, stop two", ""}) {
+    for (const std::string name : {"unplanned position (here)", "rail 1, stop two", ""}) {
         EXPECT_EQ(stationWords(name).toStdString(), name);
     }
+    survey::Plan byHand;
+    byHand.stations.push_back({-1, 0, {1, -2.504, 1.2}});
+    EXPECT_EQ(stationWords(survey::stationName(byHand, 0)), "At x 1.00, y -2.50");
     // As survey::plan() names them.
     survey::PlanOptions options;
     options.heightsM = {0.8, 1.6};
@@ -54,6 +57,25 @@ TEST(PlanView, NamesTheStationUnderThePointer) {
     QHelpEvent overStation(QEvent::ToolTip, {200, 200}, view.mapToGlobal(QPoint(200, 200)));
     QApplication::sendEvent(&view, &overStation);
     EXPECT_EQ(QToolTip::text(), "rail 1, stop 2");
+}
+
+TEST(PlanView, ShowsAllStationsWhereverTheWallsAreAndWhereNobodyKnowsThem) {
+    PlanView view;
+    view.resize(400, 400);
+    StationMark far = mark(Standing::Taken);
+    far.positionM = {9, 1};
+    for (const survey::Room& room : {squareRoom(), survey::Room()}) {
+        view.setRoom(room);
+        view.setStations({mark(Standing::Taken), far});
+        for (const StationMark& station : view.stations()) {
+            const QPointF at =
+                view.widgetFromRoom().map(QPointF(station.positionM.x(), station.positionM.y()));
+            EXPECT_TRUE(QRectF(view.rect()).contains(at)) << at.x() << ", " << at.y();
+        }
+        EXPECT_TRUE(view.words().isEmpty());
+    }
+    view.setStations({});
+    EXPECT_FALSE(view.words().isEmpty()) << "there is nothing to see";
 }
 
 TEST(PlanView, TellsStandingsByMoreThanColour) {

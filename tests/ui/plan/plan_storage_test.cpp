@@ -117,7 +117,8 @@ TEST_F(PlanStorageTest, TheRoomOfPhotosByHandIsDrawnOnceTheirPlacesAreKnown) {
     EXPECT_EQ(storage.state(), State::Stored);
     EXPECT_FALSE(storage.isRoomDrawn());
     EXPECT_EQ(planOf(editor.draft()).stations.size(), 2U);
-    Polygon drawn = survey::unknownRoom().outline;
+    const Polygon begun = editor.draft().room.outline;
+    Polygon drawn = begun;
     drawn[1].x() += 0.4;
     drawn[2].x() += 0.4;
     editor.setOutline(drawn);
@@ -130,7 +131,47 @@ TEST_F(PlanStorageTest, TheRoomOfPhotosByHandIsDrawnOnceTheirPlacesAreKnown) {
     EXPECT_TRUE(session->store().plan().placements.empty());
     session->noteChanged(SurveySession::Photos); // somebody reviews them
     editor.undoStack()->undo();
-    EXPECT_EQ(editor.draft().room.outline, survey::unknownRoom().outline);
+    EXPECT_EQ(editor.draft().room.outline, begun);
+}
+
+TEST_F(PlanStorageTest, PhotosOfUnknownPlaceLeaveTheRoomOfTheOthersToBeDrawn) {
+    const test::PhotographedSurvey other(2);
+    {
+        auto store = store::SurveyStore::create(path, "room", survey::unknownRoom(), {}, {});
+        jobs::importPhotos(store, {other / "in", {}}, noProgress(), {});
+        store.placeStations({{store.stations().back().id, {3, 4, 1.2}, {}, true}});
+    }
+    session = SurveySession::open(QString::fromStdString(path.string()));
+    storage.setSession(session.get());
+    EXPECT_EQ(storage.state(), State::Stored);
+    ASSERT_EQ(editor.draft().byHand.size(), 1U);
+    EXPECT_EQ(editor.draft().byHand.front().positionM, Eigen::Vector3d(3, 4, 1.2));
+    const survey::PlanReport report = outcomeOf(editor.draft()).report;
+    EXPECT_EQ(report.stations, 1);
+    EXPECT_EQ(report.floorM2, 0) << "nobody knows the room";
+}
+
+TEST_F(PlanStorageTest, ARoomThatNobodyDrewBeginsAsARectangleAroundThePhotos) {
+    {
+        auto store = store::SurveyStore::create(path, "room", survey::unknownRoom(), {}, {});
+        store.addStation({100, 200, 1.2}, "one");
+        store.addStation({104, 201, 1.2}, "two");
+    }
+    session = SurveySession::open(QString::fromStdString(path.string()));
+    EXPECT_TRUE(session->state().room.outline.empty());
+    storage.setSession(session.get());
+    EXPECT_TRUE(storage.isRoomUnknown());
+    for (const survey::Station& photo : planOf(editor.draft()).stations) {
+        EXPECT_TRUE(contains(editor.draft().room.outline, photo.positionM.head<2>()));
+    }
+    storage.flush();
+    EXPECT_TRUE(session->store().knownRoom().outline.empty()) << "nobody has edited it";
+    Polygon drawn = editor.draft().room.outline;
+    drawn[2] += Eigen::Vector2d(0.5, 0);
+    editor.setOutline(drawn);
+    storage.flush();
+    EXPECT_FALSE(storage.isRoomUnknown());
+    EXPECT_EQ(session->store().knownRoom().outline, drawn);
 }
 
 TEST_F(PlanStorageTest, AnotherSurveyOfTheSameRoomShowsItsOwnRails) {

@@ -99,6 +99,16 @@ TEST_F(ReviewModeTest, ShowsOnThePlanWhatWasDecided) {
     EXPECT_EQ(marks.at(3).standing, Standing::Missing);
 }
 
+TEST_F(ReviewModeTest, ShowsNoPlaceThatNobodyKnows) {
+    std::int64_t unknown = 0;
+    session->write(SurveySession::Everything, [&](store::SurveyStore& store) {
+        unknown = store.addStation({9, 0, 1.2}, "unknown place of R1.JPG", false);
+    });
+    const auto& coverage = widget<CoverageView>("coverage");
+    EXPECT_EQ(coverage.stations().size(), session->state().stations.size() - 1);
+    EXPECT_FALSE(std::ranges::count(coverage.stations(), unknown, &StationMark::id));
+}
+
 TEST_F(ReviewModeTest, TheLegendTakesAsManyLinesAsItNeeds) {
     auto* legend = mode.findChild<CoverageLegend*>();
     const int line = legend->fontMetrics().height();

@@ -42,6 +42,14 @@ TEST_F(ReviewModelTest, HasARowForEachStationInWalkingOrder) {
     EXPECT_EQ(model.index(0).data(Qt::DisplayRole).toString(), "Rail 1, stop 1");
 }
 
+TEST_F(ReviewModelTest, KnowsHowFarApartPhotosAreWhereItKnowsTheirPlaces) {
+    store.addStation({9, 0, 1.2}, "unknown place of R1.JPG", false);
+    const std::vector<ReviewRow> rows = reviewRows(store, {});
+    EXPECT_NEAR(apartM(rows.at(0), rows.at(1)).value(), (rows[0].positionM - rows[1].positionM).norm(),
+                1e-12);
+    EXPECT_FALSE(apartM(rows.at(0), rows.back()));
+}
+
 TEST_F(ReviewModelTest, PutsWhatPeopleDecideBeforeWhatTheChecksSay) {
     decide(0, store::Decision::Rejected, "blurred");
     decide(1, store::Decision::Accepted);
