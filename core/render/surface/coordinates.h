@@ -37,7 +37,9 @@ struct SurfaceCoordinates {
     /// Opens pixels again that were taken from a photo and do not fit into a narrow hole. They are nearer
     /// than its nearer side by 10 %, or farther than its farther side by 15 %. A hole is narrow if it is
     /// known to its left and right within 32 pixels, or above and below. What another photo shows there is
-    /// mostly wrong, or another room behind a thin wall. width, height: of the view.
+    /// mostly wrong, or another room behind a thin wall. Nothing fits into a hole of up to 8 pixels: what
+    /// continues its sides looks more like the room than a speck of another photo. width, height: of the
+    /// view.
     void reopenNarrow(std::uint8_t photo, int width, int height, WorkerPool& pool, int threads);
 
     int columns() const { return source.width() / kCell; } ///< The number of cells side by side.

@@ -40,12 +40,13 @@ class NarrowHoles {
     /// 1 / s to the sides of a hole.
     struct Sides {
         float least = HUGE_VALF;
-        float most = 0; ///< This is 0 where the hole is not narrow.
+        float most = 0;      ///< This is 0 where the hole is not narrow.
+        bool isTiny = false; ///< Whatever is in the hole, it shows as a speck.
 
         bool fits(float inverse) const {
             constexpr float kLeastFit = 0.85F;
             constexpr float kMostFit = 1.1F;
-            return most == 0 || (inverse >= kLeastFit * least && inverse <= kMostFit * most);
+            return !isTiny && (most == 0 || (inverse >= kLeastFit * least && inverse <= kMostFit * most));
         }
     };
 
@@ -86,6 +87,7 @@ class NarrowHoles {
                     Sides& at = sides[std::ptrdiff_t{k} * pitch];
                     at.least = std::min(at.least, std::min(one, other));
                     at.most = std::max(at.most, std::max(one, other));
+                    at.isTiny = at.isTiny || before + after - 1 <= kTiny;
                 }
             }
             i = end - 1;
@@ -93,6 +95,7 @@ class NarrowHoles {
     }
 
     static constexpr int kReach = 32;
+    static constexpr int kTiny = 8; ///< Width of a hole, pixels.
 
     const SurfaceCoordinates& m_coordinates;
     std::uint8_t m_photo;

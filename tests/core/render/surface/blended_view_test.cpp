@@ -499,6 +499,11 @@ TEST(NarrowHoles, ShowNothingBehindOrBeforeBothSides) {
     EXPECT_EQ(shareLeftInHole(1, 0.5F, 0.5F, 0.1F), 0);
 }
 
+TEST(NarrowHoles, ShowNoSpeckOfAnotherPhoto) {
+    EXPECT_EQ(shareLeftInHole(8, 0.5F, 0.5F, 0.5F), 0);
+    EXPECT_EQ(shareLeftInHole(1, 1, 0.5F, 0.7F), 0);
+}
+
 TEST(NarrowHoles, EndWhereAHoleIsWide) {
     EXPECT_EQ(shareLeftInHole(30, 0.5F, 0.5F, 0.1F), 0);
     EXPECT_EQ(shareLeftInHole(40, 0.5F, 0.5F, 0.1F), 1);
