@@ -242,7 +242,8 @@ void PlanEditor::addRail(const survey::RailPlacement& rail) {
 }
 
 void PlanEditor::splitSelected() {
-    const auto [rail, stop] = std::pair(static_cast<std::size_t>(m_selected.rail), m_selected.stop);
+    const auto rail = static_cast<std::size_t>(m_selected.rail);
+    const int stop = m_selected.stop;
     if (m_selected.rail == PlanPart::kNone || stop <= 0 || rails()[rail].isLocked) {
         return;
     }

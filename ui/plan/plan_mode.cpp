@@ -247,7 +247,7 @@ void PlanMode::showState() {
     m_form->setVisible(state == State::New);
     m_form->setPossible(m_editor.outcome().problem.isEmpty());
     m_locked->setVisible(state == State::Locked);
-    m_lockedWords->setText(m_editor.draft().hasRails
+    m_lockedWords->setText(m_editor.draft().hasRails || !m_editor.draft().byHand.empty()
                                ? tr("Photos stand on this plan, or another program writes the survey.")
                                : tr("Nobody knows where the photos stand. Align finds that out from the "
                                     "pictures alone; then their room can be drawn."));
@@ -271,7 +271,7 @@ QString PlanMode::storedWords() const {
     if (m_editor.draft().hasRails) {
         return tr("Stored.");
     }
-    if (m_storage.isRoomUnknown()) {
+    if (!m_editor.draft().isRoomKnown) {
         return tr("Nobody has drawn this room: the rectangle is only to begin with. Draw it as it is; "
                   "without that, an export with depth finds it in the photos.");
     }

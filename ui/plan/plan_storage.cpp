@@ -107,9 +107,9 @@ void PlanStorage::read(bool isOther) {
                     survey.plan.isByHand ? survey.plan.placements : std::vector<survey::RailPlacement>(),
                     false, !survey.isByHand()};
     draft.byHand = knownPlaces(survey);
-    draft.isRoomKnown = !survey.room.outline.empty();
-    if (!draft.isRoomKnown) {
+    if (survey.room.outline.empty()) {
         draft.room = roomAround(draft.byHand);
+        draft.isRoomKnown = draft.hasRails; // Else nobody has planned it.
     }
     const PlanDraft& shown = m_editor.draft();
     const bool isSameRoom = shown.room.outline == draft.room.outline &&

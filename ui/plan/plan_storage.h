@@ -36,9 +36,6 @@ class PlanStorage : public QObject {
         return m_session && m_session->state().roomOrigin == store::RoomOrigin::Drawn;
     }
 
-    /// Whether the editor has a rectangle to begin with, since nobody knows the room.
-    bool isRoomUnknown() const { return m_session && m_session->state().room.outline.empty(); }
-
     /// Calls flush() and takes the plan of this survey into the editor. Null: begins a new draft.
     void setSession(SurveySession* session);
     /// Puts a rectangular room for a new survey into the editor.

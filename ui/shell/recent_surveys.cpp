@@ -27,7 +27,8 @@ QImage pictureOf(const store::SurveyStore& store, const std::set<std::int64_t>& 
     constexpr double kMarginPx = 4;
     constexpr double kLeastM = 1;
     const survey::Room room = store.knownRoom();
-    const std::vector<store::StationRecord> stations = store.stations();
+    std::vector<store::StationRecord> stations = store.stations();
+    std::erase_if(stations, [](const store::StationRecord& station) { return !station.isPlaceKnown; });
     Polygon shown = room.outline;
     for (const store::StationRecord& station : stations) {
         shown.emplace_back(station.station.positionM.head<2>());

@@ -152,15 +152,17 @@ TEST_F(PlanStorageTest, PhotosOfUnknownPlaceLeaveTheRoomOfTheOthersToBeDrawn) {
 }
 
 TEST_F(PlanStorageTest, ARoomThatNobodyDrewBeginsAsARectangleAroundThePhotos) {
+    const test::PhotographedSurvey other(2);
     {
         auto store = store::SurveyStore::create(path, "room", survey::unknownRoom(), {}, {});
-        store.addStation({100, 200, 1.2}, "one");
-        store.addStation({104, 201, 1.2}, "two");
+        jobs::importPhotos(store, {other / "in", {}}, noProgress(), {});
+        store.placeStations({{store.stations().front().id, {100, 200, 1.2}, {}, true},
+                             {store.stations().back().id, {104, 201, 1.2}, {}, true}});
     }
     session = SurveySession::open(QString::fromStdString(path.string()));
     EXPECT_TRUE(session->state().room.outline.empty());
     storage.setSession(session.get());
-    EXPECT_TRUE(storage.isRoomUnknown());
+    EXPECT_FALSE(editor.draft().isRoomKnown);
     for (const survey::Station& photo : planOf(editor.draft()).stations) {
         EXPECT_TRUE(contains(editor.draft().room.outline, photo.positionM.head<2>()));
     }
@@ -170,7 +172,7 @@ TEST_F(PlanStorageTest, ARoomThatNobodyDrewBeginsAsARectangleAroundThePhotos) {
     drawn[2] += Eigen::Vector2d(0.5, 0);
     editor.setOutline(drawn);
     storage.flush();
-    EXPECT_FALSE(storage.isRoomUnknown());
+    EXPECT_TRUE(editor.draft().isRoomKnown);
     EXPECT_EQ(session->store().knownRoom().outline, drawn);
 }
 
