@@ -4438,6 +4438,10 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <source>Nobody knows where the photos stand. Align finds that out from the pictures alone; then their room can be drawn.</source>
         <translation>Niemand weiß, wo die Fotos stehen. Ausrichten findet es allein aus den Bildern heraus; dann kann ihr Raum gezeichnet werden.</translation>
     </message>
+    <message>
+        <source>These rails are a proposal: nothing of it is stored before you change something.</source>
+        <translation>Diese Schienen sind ein Vorschlag: Nichts davon wird gespeichert, bevor Sie etwas ändern.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanPanel</name>

@@ -4466,6 +4466,10 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <source>Nobody knows where the photos stand. Align finds that out from the pictures alone; then their room can be drawn.</source>
         <translation>Nie wiadomo, gdzie stoją zdjęcia. Orientacja ustali to z samych obrazów; potem można narysować ich pomieszczenie.</translation>
     </message>
+    <message>
+        <source>These rails are a proposal: nothing of it is stored before you change something.</source>
+        <translation>Te szyny to propozycja: nic z niej nie zostanie zapisane, zanim czegoś nie zmienisz.</translation>
+    </message>
 </context>
 <context>
     <name>spherewalk::ui::PlanPanel</name>

@@ -269,7 +269,9 @@ QString PlanMode::storedWords() const {
         return tr("Storing...");
     }
     if (m_editor.draft().hasRails) {
-        return tr("Stored.");
+        return m_storage.hasStoredRails()
+                   ? tr("Stored.")
+                   : tr("These rails are a proposal: nothing of it is stored before you change something.");
     }
     if (!m_editor.draft().isRoomKnown) {
         return tr("Nobody has drawn this room: the rectangle is only to begin with. Draw it as it is; "

@@ -36,6 +36,9 @@ class PlanStorage : public QObject {
         return m_session && m_session->state().roomOrigin == store::RoomOrigin::Drawn;
     }
 
+    /// Whether the survey has rails. The draft of one by hand has some before the first photo.
+    bool hasStoredRails() const { return m_session && !m_session->state().plan.placements.empty(); }
+
     /// Calls flush() and takes the plan of this survey into the editor. Null: begins a new draft.
     void setSession(SurveySession* session);
     /// Puts a rectangular room for a new survey into the editor.

@@ -395,15 +395,15 @@ void ReviewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const QColor ink = option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
     const QRect words = box.adjusted(kThumbnailWidth + 2 * kGap, 0, 0, 0);
     const int line = option.fontMetrics.height();
-    const auto put = [&](int at, const QString& text) {
+    const auto put = [&](int at, const QString& text, Qt::TextElideMode elide = Qt::ElideRight) {
         painter->drawText(QRect(words.left(), words.top() + at * line, words.width(), line), Qt::AlignVCenter,
-                          option.fontMetrics.elidedText(text, Qt::ElideRight, words.width()));
+                          painter->fontMetrics().elidedText(text, elide, words.width()));
     };
     painter->setPen(ink);
     QFont bold = option.font;
     bold.setBold(true);
     painter->setFont(bold);
-    put(0, index.data(Qt::DisplayRole).toString());
+    put(0, index.data(Qt::DisplayRole).toString(), Qt::ElideMiddle); // Names differ at their ends.
     painter->setFont(option.font);
     const auto standing = static_cast<Standing>(index.data(ReviewModel::StandingRole).toInt());
     const QString error = index.data(ReviewModel::ErrorRole).toString();
