@@ -159,8 +159,13 @@ void PlanStorage::flush() {
     m_isWriting = true;
     try {
         m_session->write(SurveySession::Plan, [&](store::SurveyStore& store) {
-            draft.hasRails ? store.replacePlan(draft.room, draft.options, outcome.plan)
-                           : store.replaceRoom(draft.room, store::RoomOrigin::Drawn);
+            if (draft.hasRails) {
+                store.replacePlan(draft.room, draft.options, outcome.plan);
+            } else if (draft.isRoomKnown) {
+                store.replaceRoom(draft.room, store::RoomOrigin::Drawn);
+            } else { // Its first edit was undone.
+                store.replaceRoom(survey::unknownRoom(), store::RoomOrigin::Solved);
+            }
         });
         setState(State::Stored);
     } catch (const Error& error) {

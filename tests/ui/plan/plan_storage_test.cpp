@@ -174,6 +174,10 @@ TEST_F(PlanStorageTest, ARoomThatNobodyDrewBeginsAsARectangleAroundThePhotos) {
     storage.flush();
     EXPECT_TRUE(editor.draft().isRoomKnown);
     EXPECT_EQ(session->store().knownRoom().outline, drawn);
+    editor.undoStack()->undo();
+    storage.flush();
+    EXPECT_FALSE(editor.draft().isRoomKnown);
+    EXPECT_TRUE(session->store().knownRoom().outline.empty());
 }
 
 TEST_F(PlanStorageTest, AnotherSurveyOfTheSameRoomShowsItsOwnRails) {
