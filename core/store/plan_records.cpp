@@ -153,18 +153,23 @@ void insertRoom(Database& database, const Room& room) {
     }
 }
 
+void insertHeights(Database& database, std::span<const double> heightsM, bool areGuessed) {
+    database.execute("DELETE FROM lens_height");
+    for (std::size_t i = 0; i < heightsM.size(); ++i) {
+        database.run("INSERT INTO lens_height VALUES (?, ?)", static_cast<std::int64_t>(i), heightsM[i]);
+    }
+    database.run("UPDATE survey SET are_heights_guessed = ?", areGuessed ? 1 : 0);
+}
+
 void insertPlan(Database& database, const Room& room, const PlanOptions& options, const Plan& plan) {
-    for (const char* table : {"station", "placement", "lens_height"}) {
+    for (const char* table : {"station", "placement"}) {
         database.execute(text("DELETE FROM ", table));
     }
     database.run("UPDATE survey SET step_m = ?, rail_stops = ?, clearance_m = ?, seconds_per_photo = ?, "
                  "seconds_per_placement = ?, is_by_hand = ?",
                  options.stepM, options.railStops, options.clearanceM, options.secondsPerPhoto,
                  options.secondsPerPlacement, plan.isByHand ? 1 : 0);
-    for (std::size_t i = 0; i < options.heightsM.size(); ++i) {
-        database.run("INSERT INTO lens_height VALUES (?, ?)", static_cast<std::int64_t>(i),
-                     options.heightsM[i]);
-    }
+    insertHeights(database, options.heightsM, options.areHeightsGuessed);
     insertRoom(database, room);
     insertStations(database, plan);
 }
@@ -198,7 +203,7 @@ Room SurveyStore::room() const {
 PlanOptions SurveyStore::planOptions() const {
     const Database& database = m_parts->db();
     Statement row = database.query("SELECT step_m, rail_stops, clearance_m, seconds_per_photo, "
-                                   "seconds_per_placement FROM survey");
+                                   "seconds_per_placement, are_heights_guessed FROM survey");
     if (!row.step()) {
         database.failCorrupt("it does not say how it was planned");
     }
@@ -207,7 +212,8 @@ PlanOptions SurveyStore::planOptions() const {
                         .railStops = static_cast<int>(row.integer(1, 1, kMostRailStops)),
                         .clearanceM = row.real(2),
                         .secondsPerPhoto = row.real(3),
-                        .secondsPerPlacement = row.real(4)};
+                        .secondsPerPlacement = row.real(4),
+                        .areHeightsGuessed = row.boolean(5)};
     Statement heights = database.query("SELECT height_m FROM lens_height ORDER BY rank LIMIT 1000");
     while (heights.step()) {
         options.heightsM.push_back(heights.real(0));
@@ -244,6 +250,21 @@ void SurveyStore::replacePlan(const Room& room, const PlanOptions& options, cons
                  ": photos have been taken at its stations; create another survey for the new plan."));
     }
     insertPlan(database, room, options, plan);
+    transaction.commit();
+}
+
+void SurveyStore::setLensHeight(double heightM) {
+    PlanOptions options = planOptions();
+    options.heightsM = {heightM};
+    options.validate(room());
+    Database& database = m_parts->writable();
+    Transaction transaction(database);
+    if (database.query("SELECT 1 FROM placement").step()) {
+        throw Error(ErrorKind::InvalidInput,
+                    text("Could not set the height of the lens in the survey ", folder().string(),
+                         ": its rails were planned for the cart's."));
+    }
+    insertHeights(database, options.heightsM, false);
     transaction.commit();
 }
 

@@ -209,9 +209,16 @@ constexpr const char* kVersion8 = R"sql(
 ALTER TABLE survey ADD COLUMN is_room_drawn INTEGER NOT NULL DEFAULT 0 CHECK (is_room_drawn IN (0, 1));
 )sql";
 
+/// Whether nobody has said how high the lens is. Photos by hand of older surveys have what was the default.
+constexpr const char* kVersion9 = R"sql(
+ALTER TABLE survey ADD COLUMN are_heights_guessed INTEGER NOT NULL DEFAULT 0 CHECK (are_heights_guessed IN (0, 1));
+UPDATE survey SET are_heights_guessed = 1 WHERE NOT EXISTS (SELECT 1 FROM placement)
+    AND NOT EXISTS (SELECT 1 FROM lens_height WHERE height_m <> 1.2);
+)sql";
+
 constexpr std::array kMigrations{Migration{1, kVersion1}, Migration{2, kVersion2}, Migration{3, kVersion3},
                                  Migration{4, kVersion4}, Migration{5, kVersion5}, Migration{6, kVersion6},
-                                 Migration{7, kVersion7}, Migration{8, kVersion8}};
+                                 Migration{7, kVersion7}, Migration{8, kVersion8}, Migration{9, kVersion9}};
 
 void apply(Database& database, const Migration& migration) {
     Transaction transaction(database);

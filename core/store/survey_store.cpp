@@ -253,7 +253,7 @@ SurveyStore SurveyStore::create(const fs::path& folder, const std::string& name,
         limitSize(database, storeOptions);
         makeSchema(database, migrations());
         Transaction transaction(database);
-        database.run("INSERT INTO survey VALUES (1, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, 0)", randomUuid(), name,
+        database.run("INSERT INTO survey VALUES (1, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, 0, 0)", randomUuid(), name,
                      nowUtc());
         insertPlan(database, room, options, plan);
         insertProfile(database, survey::CaptureProfile{});

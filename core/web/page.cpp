@@ -108,6 +108,7 @@ Json placeOf(const Page& page, const PageWords& words) {
     }
     Json place{{"name", page.name},
                {"made_by", page.madeBy},
+               {"scale_sigma", page.scaleSigma},
                {"created_utc", page.createdUtc},
                {"language", words.language},
                {"floor_m", page.floorM},

@@ -133,6 +133,10 @@
 <context>
     <name>spherewalk::ui::AlignMode</name>
     <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
         <source>Align</source>
         <translation>Ausrichten</translation>
     </message>
@@ -1122,7 +1126,7 @@
         <translation>%1 Fotos wurden abgelehnt und werden ausgelassen.</translation>
     </message>
     <message>
-        <source>%1 photos have no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
+        <source>%1 photos have no known heading: they would be exported as if they looked along the room&apos;s x axis; align again, or reject them.</source>
         <translation>%1 Fotos haben keine bekannte Richtung: sie würden exportiert, als sähen sie die x-Achse des Raums entlang; richten Sie erneut aus, oder lehnen Sie sie ab.</translation>
     </message>
     <message>
@@ -1130,7 +1134,7 @@
         <translation>Die Ausrichtung von %1 Fotos ist zweifelhaft; sichten Sie sie, oder exportieren Sie sie, wie sie sind.</translation>
     </message>
     <message>
-        <source>The alignment of 1 photo is doubtful; review them, or export them as they are.</source>
+        <source>The alignment of 1 photo is doubtful; review it, or export it as it is.</source>
         <translation>Die Ausrichtung von 1 Foto ist zweifelhaft; sichten Sie es, oder exportieren Sie es, wie es ist.</translation>
     </message>
     <message>
@@ -2082,6 +2086,14 @@
         <translation>Den Maßstab gibt die Höhe des Objektivs über dem berechneten Boden, %1 m, auf %2 % genau (eine Standardabweichung).</translation>
     </message>
     <message>
+        <source>A guessed height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one standard deviation).</source>
+        <translation>Den Maßstab gibt eine geratene Höhe des Objektivs über dem berechneten Boden, %1 m, auf %2 % genau (eine Standardabweichung).</translation>
+    </message>
+    <message>
+        <source>The scale is known to %1 % (one standard deviation).</source>
+        <translation>Der Maßstab ist auf %1 % bekannt (eine Standardabweichung).</translation>
+    </message>
+    <message>
         <source>The given distance gives the scale, to %1 % (one standard deviation).</source>
         <translation>Den Maßstab gibt der angegebene Abstand, auf %1 % genau (eine Standardabweichung).</translation>
     </message>
@@ -2332,6 +2344,18 @@
     <message>
         <source>Give --distance with two photos and the metres between them.</source>
         <translation>Geben Sie --distance mit zwei Fotos und den Metern dazwischen an.</translation>
+    </message>
+    <message>
+        <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be a quarter too long or too short.</source>
+        <translation>Niemand hat gesagt, wie hoch das Objektiv über dem Boden steht: %1 m sind geraten, und alle Längen können um ein Viertel zu lang oder zu kurz sein.</translation>
+    </message>
+    <message>
+        <source>Give --lens-height, or --distance with two photos and the metres between them.</source>
+        <translation>Geben Sie --lens-height an, oder --distance mit zwei Fotos und den Metern dazwischen.</translation>
+    </message>
+    <message>
+        <source>All lengths of the dataset are known to %1 % alone (one standard deviation): align its survey with a known height of the lens, or a known distance, and export it again.</source>
+        <translation>Alle Längen des Datensatzes sind nur auf %1 % bekannt (eine Standardabweichung): Richten Sie seine Vermessung mit einer bekannten Höhe des Objektivs oder einer bekannten Entfernung aus, und exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart.</source>
@@ -3583,8 +3607,8 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
         <translation>Entfernungen</translation>
     </message>
     <message>
-        <source>± is one standard deviation of the depth and of the click. A scale that is wrong for the whole room is not in it.</source>
-        <translation>± ist eine Standardabweichung der Tiefe und des Klicks. Ein falscher Maßstab des ganzen Raums ist nicht darin.</translation>
+        <source>± is one standard deviation, of the depth, of the click, and of the scale of the whole room as far as it is known.</source>
+        <translation>± ist eine Standardabweichung der Tiefe, des Klicks und des Maßstabs des ganzen Raums, soweit er bekannt ist.</translation>
     </message>
     <message>
         <source>Remove the last one</source>
@@ -3637,6 +3661,10 @@ Gefunden in %2: %n Fotos, %L3 cm Abstand.</numerusform>
     <message>
         <source>made by %1 on %2</source>
         <translation>gemacht von %1 am %2</translation>
+    </message>
+    <message>
+        <source>All lengths are known to %1 %.</source>
+        <translation>Alle Längen sind auf %1 % bekannt.</translation>
     </message>
     <message>
         <source>good</source>

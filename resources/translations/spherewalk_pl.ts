@@ -133,6 +133,10 @@
 <context>
     <name>spherewalk::ui::AlignMode</name>
     <message>
+        <source>not known</source>
+        <translation>nieznana</translation>
+    </message>
+    <message>
         <source>Align</source>
         <translation>Orientacja</translation>
     </message>
@@ -1132,7 +1136,7 @@
         <translation>Odrzucone i pominięte zdjęcia: %1.</translation>
     </message>
     <message>
-        <source>%1 photos have no known heading: it would be exported as if it looked along the room&apos;s x axis; align again, or reject it.</source>
+        <source>%1 photos have no known heading: they would be exported as if they looked along the room&apos;s x axis; align again, or reject them.</source>
         <translation>Zdjęcia bez znanego kierunku: %1; byłyby wyeksportowane tak, jakby patrzyły wzdłuż osi x pokoju; wyznacz ponownie albo je odrzuć.</translation>
     </message>
     <message>
@@ -1140,7 +1144,7 @@
         <translation>Wyznaczenie %1 zdjęć jest wątpliwe; oceń je albo wyeksportuj, jak są.</translation>
     </message>
     <message>
-        <source>The alignment of 1 photo is doubtful; review them, or export them as they are.</source>
+        <source>The alignment of 1 photo is doubtful; review it, or export it as it is.</source>
         <translation>Wyznaczenie 1 zdjęcia jest wątpliwe; oceń je albo wyeksportuj, jak jest.</translation>
     </message>
     <message>
@@ -2092,6 +2096,14 @@
         <translation>Skalę daje wysokość obiektywu nad obliczoną podłogą, %1 m, z dokładnością do %2 % (jedno odchylenie standardowe).</translation>
     </message>
     <message>
+        <source>A guessed height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one standard deviation).</source>
+        <translation>Skalę daje zgadywana wysokość obiektywu nad obliczoną podłogą, %1 m, z dokładnością do %2 % (jedno odchylenie standardowe).</translation>
+    </message>
+    <message>
+        <source>The scale is known to %1 % (one standard deviation).</source>
+        <translation>Skala jest znana z dokładnością do %1 % (jedno odchylenie standardowe).</translation>
+    </message>
+    <message>
         <source>The given distance gives the scale, to %1 % (one standard deviation).</source>
         <translation>Skalę daje podana odległość, z dokładnością do %1 % (jedno odchylenie standardowe).</translation>
     </message>
@@ -2342,6 +2354,18 @@
     <message>
         <source>Give --distance with two photos and the metres between them.</source>
         <translation>Podaj --distance z dwoma zdjęciami i odległością między nimi w metrach.</translation>
+    </message>
+    <message>
+        <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be a quarter too long or too short.</source>
+        <translation>Nikt nie podał, jak wysoko nad podłogą stoi obiektyw: %1 m to przypuszczenie, a wszystkie długości mogą być o jedną czwartą za duże lub za małe.</translation>
+    </message>
+    <message>
+        <source>Give --lens-height, or --distance with two photos and the metres between them.</source>
+        <translation>Podaj --lens-height albo --distance z dwoma zdjęciami i odległością między nimi w metrach.</translation>
+    </message>
+    <message>
+        <source>All lengths of the dataset are known to %1 % alone (one standard deviation): align its survey with a known height of the lens, or a known distance, and export it again.</source>
+        <translation>Wszystkie długości zbioru są znane tylko z dokładnością do %1 % (jedno odchylenie standardowe): wyrównaj jego pomiar ze znaną wysokością obiektywu lub znaną odległością i wyeksportuj ponownie.</translation>
     </message>
     <message>
         <source>Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart.</source>
@@ -3608,8 +3632,8 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
         <translation>Odległości</translation>
     </message>
     <message>
-        <source>± is one standard deviation of the depth and of the click. A scale that is wrong for the whole room is not in it.</source>
-        <translation>± to jedno odchylenie standardowe głębi i kliknięcia. Błędnej skali całego pomieszczenia nie obejmuje.</translation>
+        <source>± is one standard deviation, of the depth, of the click, and of the scale of the whole room as far as it is known.</source>
+        <translation>± to jedno odchylenie standardowe głębi, kliknięcia i skali całego pomieszczenia, o ile jest znana.</translation>
     </message>
     <message>
         <source>Remove the last one</source>
@@ -3662,6 +3686,10 @@ Znaleziono w %2: %n zdjęć co %L3 cm.</numerusform>
     <message>
         <source>made by %1 on %2</source>
         <translation>zrobione przez %1 dnia %2</translation>
+    </message>
+    <message>
+        <source>All lengths are known to %1 %.</source>
+        <translation>Wszystkie długości są znane z dokładnością do %1 %.</translation>
     </message>
     <message>
         <source>good</source>

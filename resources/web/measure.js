@@ -3,7 +3,9 @@
 
 /** Distances between points that photos show, with their standard deviations. Frames: room. Units: metres. */
 spherewalk.Measure = class {
-  constructor() {
+  /** scaleSigma: of all lengths, as a share of them. */
+  constructor(scaleSigma) {
+    this.scaleSigma = scaleSigma;
     this.distances = []; // { ends: two points, metres, sigma }
     this.begun = null; // the first point of the next distance
   }
@@ -36,7 +38,8 @@ spherewalk.Measure = class {
       const along = line.reduce((sum, value, i) => sum + value * end.ray[i], 0) ** 2;
       return along * end.sigmaAlong ** 2 + (1 - along) * end.sigmaAcross ** 2 + (isOnePhoto ? 0 : end.sigmaPose ** 2);
     });
-    this.distances.push({ ends: [this.begun.at, point.at], metres, sigma: Math.sqrt(variances[0] + variances[1]) });
+    const sigma = Math.hypot(Math.sqrt(variances[0] + variances[1]), this.scaleSigma * metres);
+    this.distances.push({ ends: [this.begun.at, point.at], metres, sigma });
     this.begun = null;
   }
 

@@ -10,7 +10,7 @@
 
   const photos = new spherewalk.Photos(place.photos);
   const plan = new spherewalk.Plan(part("plan"), place, words);
-  const measure = new spherewalk.Measure();
+  const measure = new spherewalk.Measure(place.scale_sigma);
   let view = null; // null in a browser without WebGL
   let here = 0; // number of the photo
   let isMeasuring = false;
@@ -36,13 +36,14 @@
   function showPhoto() {
     const photo = place.photos[here];
     const [x, y, z] = photo.position.map((value) => number(value, 2));
+    const sigma = Math.hypot(photo.sigma_position_m, place.scale_sigma * Math.hypot(...photo.position));
     const verdict = photo.decision === "accepted" ? [words[photo.state], words.accepted] : [words[photo.state]];
     part("station").value = here;
     part("picture").setAttribute("aria-label", filled(words.panoramaAbout, photo.station));
     part("state").className = photo.state;
     part("state").textContent = place.has_review ? verdict.join("; ") : "";
     part("place").textContent = photo.sigma_position_m > 0
-      ? filled(words.within, x, y, z, number(Math.max(photo.sigma_position_m, 0.001), 3)) : filled(words.at, x, y, z);
+      ? filled(words.within, x, y, z, number(Math.max(sigma, 0.001), sigma < 0.01 ? 3 : 2)) : filled(words.at, x, y, z);
     part("note").textContent = photo.note === "" ? "" : filled(words.note, photo.note);
     list("findings", [
       ...photo.findings,
@@ -312,7 +313,8 @@
     });
     const count = place.photos.length === 1 ? words.onePhoto : filled(words.photos, place.photos.length);
     const day = new Date(place.created_utc).toLocaleDateString(place.language);
-    part("about").textContent = count + ", " + filled(words.made, place.made_by, day);
+    const scale = place.scale_sigma >= 0.005 ? " " + filled(words.scale, number(100 * place.scale_sigma, 1)) : "";
+    part("about").textContent = count + ", " + filled(words.made, place.made_by, day) + "." + scale;
     const rows = [["← →", "keyTurn"], ["↑ ↓", "keyWalk"], ["PageUp PageDown", "keyTilt"], ["+ −", "keyZoom"], ["Home", "keyLevel"],
       ["M", "keyMeasure"], ["Enter", "keyPoint"], ["Backspace", "keyUndo"], ["Esc", "keyEnd"], ["?", "keyKeys"]];
     for (const [key, word] of rows) {

@@ -126,6 +126,8 @@ TEST(CommandLine, GoesFromPhotosByHandToADatasetWithoutAPlan) {
     const CliResult aligned = runCli({"align", path("s.spherewalk"), "--positions", "free", "--json"});
     ASSERT_EQ(aligned.status, 0) << aligned.errors;
     EXPECT_EQ(aligned.json()["effort"], "fine");
+    EXPECT_EQ(aligned.json()["places"]["scale_by"], "guess");
+    EXPECT_EQ(aligned.json()["scale_sigma"], 0.25);
     // Of the practice room's 20 m2, what the photos show of its walls.
     const CliResult plan = runCli({"plan", path("s.spherewalk"), "--json"});
     EXPECT_NEAR(plan.json()["floor_m2"].get<double>(), 20, 5);

@@ -97,7 +97,12 @@ void AlignMode::setSession(SurveySession* session) {
     m_isByHand = false;
     chooseFree();
     if (session != nullptr) {
-        m_lensHeight->setValue(session->state().options.heightsM.front());
+        const SurveyState& survey = session->state();
+        const bool isGuess = survey.options.areHeightsGuessed && survey.plan.placements.empty();
+        m_lensHeight->setValue(isGuess ? m_lensHeight->minimum() : survey.options.heightsM.front());
+        if (survey.findings && survey.findings->positionSigmaM > 0) { // as it was said to be
+            m_positionSigma->setValue(1000 * survey.findings->positionSigmaM);
+        }
         connect(session->selection(), &StationSelection::currentChanged, this, &AlignMode::selectStation);
     }
     showTask();
@@ -160,7 +165,8 @@ QWidget* AlignMode::makeBar() {
     m_ofTagged << addLabelled(tr("&Positions to"), m_positionSigma);
     m_lensHeight = new QDoubleSpinBox(bar);
     m_lensHeight->setObjectName("lensHeight");
-    m_lensHeight->setRange(0.06, 20);
+    m_lensHeight->setRange(0.05, 20);
+    m_lensHeight->setSpecialValueText(tr("not known")); // At the least value, which is none.
     m_lensHeight->setDecimals(2);
     m_lensHeight->setSingleStep(0.01);
     m_lensHeight->setSuffix(tr(" m"));
@@ -279,7 +285,8 @@ void AlignMode::run() {
         options.effort = effort;
     }
     if (options.isFree) {
-        options.lensHeightM = m_lensHeight->value();
+        const bool isKnown = m_lensHeight->value() > m_lensHeight->minimum();
+        options.lensHeightM = isKnown ? m_lensHeight->value() : 0;
     } else {
         options.model = static_cast<align::Model>(m_model->currentData().toInt());
         options.positionSigmaM = 0.001 * m_positionSigma->value();

@@ -119,6 +119,16 @@ constexpr const char* kOfAlignments[] = {
                       "Give --distance with two photos and the metres between them."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
+        "Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may "
+        "be a quarter too long or too short."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "All lengths of the dataset are known to %1 % alone (one standard deviation): align "
+                      "its survey with a "
+                      "known height of the lens, or a known distance, and export it again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Give --lens-height, or --distance with two photos and the metres between them."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
         "Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",

@@ -111,6 +111,11 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "The height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one "
                       "standard deviation)."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "A guessed height of the lens over the solved floor, %1 m, gives the scale, to %2 % (one "
+        "standard deviation)."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The scale is known to %1 % (one standard deviation)."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "The given distance gives the scale, to %1 % (one standard deviation)."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
@@ -181,12 +186,12 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "%1 photos were rejected and are left out."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
-        "%1 photos have no known heading: it would be exported as if it looked along the room's "
-        "x axis; align again, or reject it."),
+        "%1 photos have no known heading: they would be exported as if they looked along the room's "
+        "x axis; align again, or reject them."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The alignment of %1 photos is doubtful; review them, or "
                                                    "export them as they are."),
-    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The alignment of 1 photo is doubtful; review them, or "
-                                                   "export them as they are."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The alignment of 1 photo is doubtful; review it, or "
+                                                   "export it as it is."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
         "The cheapest that holds %1 px is the scene model %2 with sampling %3: 95 of 100 places "

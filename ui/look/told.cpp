@@ -105,11 +105,12 @@ constexpr CuredSentence kCured[] = {
     {"The heading of %1 of %2 photos is not known; they are exported as if each looked along the room's x "
      "axis.",
      Cure::Align},
-    {"%1 photos have no known heading: it would be exported as if it looked along the room's x axis; align "
-     "again, or reject it.",
+    {"Give --lens-height, or --distance with two photos and the metres between them.", Cure::Align},
+    {"%1 photos have no known heading: they would be exported as if they looked along the room's x axis; "
+     "align again, or reject them.",
      Cure::Align},
     {"The alignment of %1 photos is doubtful; review them, or export them as they are.", Cure::Review},
-    {"The alignment of 1 photo is doubtful; review them, or export them as they are.", Cure::Review},
+    {"The alignment of 1 photo is doubtful; review it, or export it as it is.", Cure::Review},
     {"The outline cannot be used: %1.", Cure::Plan},
     {"The obstacle %1 cannot be used: %2.", Cure::Plan},
     {"%1 photos stand outside of the room's outline; check the outline and the positions.", Cure::Plan},

@@ -212,7 +212,12 @@ void PlanPanel::applyHeights() {
     const auto heights = heightsOf(m_heights->text());
     if (heights && *heights != m_editor.draft().options.heightsM) {
         m_editor.change(
-            tr("Change number"), [&](PlanDraft& draft) { draft.options.heightsM = *heights; }, kHeights);
+            tr("Change number"),
+            [&](PlanDraft& draft) {
+                draft.options.heightsM = *heights;
+                draft.options.areHeightsGuessed = false;
+            },
+            kHeights);
     }
     showDraft();
 }

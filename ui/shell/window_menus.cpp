@@ -258,7 +258,8 @@ bool MainWindow::openNewByHand(const QString& base) {
     const QString folder = freeFolder(base, ".spherewalk");
     try {
         store::SurveyStore::create(folder.toStdString(), QFileInfo(folder).completeBaseName().toStdString(),
-                                   survey::unknownRoom(), {.stepM = survey::kStepByHandM}, {});
+                                   survey::unknownRoom(),
+                                   {.stepM = survey::kStepByHandM, .areHeightsGuessed = true}, {});
     } catch (const Error& error) {
         say(coreTold(error.sentence()));
         return false;

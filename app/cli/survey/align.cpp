@@ -187,7 +187,7 @@ void addAlign(Commands& commands) {
         .option(
             "--lens-height", options->lensHeightM,
             "With --positions free: usual height of the lens above the floor, metres; without it that of the "
-            "plan")
+            "plan, or that of imported positions; by hand the survey keeps it")
         .range(0.06, 20.0);
     command.option("--distance", options->distance,
                    "With --positions free: PHOTO,PHOTO,METRES between two lenses, for the scale; without it "

@@ -92,8 +92,18 @@ struct NewArguments {
     double ceilingM = 0;
     survey::PlanOptions plan;
     std::optional<double> stepM;
+    std::vector<double> heightsM;
     std::string profile = "auto";
 };
+
+survey::PlanOptions planGiven(const NewArguments& options, double stepM) {
+    survey::PlanOptions plan = options.plan;
+    plan.stepM = options.stepM.value_or(stepM);
+    if (!options.heightsM.empty()) {
+        plan.heightsM = options.heightsM;
+    }
+    return plan;
+}
 
 survey::Room roomGiven(const NewArguments& options) {
     survey::Room room;
@@ -128,8 +138,8 @@ survey::Room roomGiven(const NewArguments& options) {
 /// A survey without a plan.
 Result createByHand(const NewArguments& options) {
     const survey::Room room = survey::unknownRoom();
-    survey::PlanOptions plan = options.plan;
-    plan.stepM = options.stepM.value_or(survey::kStepByHandM);
+    survey::PlanOptions plan = planGiven(options, survey::kStepByHandM);
+    plan.areHeightsGuessed = options.heightsM.empty();
     plan.validate(room);
     const std::filesystem::path folder = options.survey;
     auto store = store::SurveyStore::create(folder, folder.stem().string(), room, plan, {});
@@ -146,8 +156,7 @@ Result create(const NewArguments& options) {
         return createByHand(options);
     }
     const survey::Room room = roomGiven(options);
-    survey::PlanOptions planOptions = options.plan;
-    planOptions.stepM = options.stepM.value_or(planOptions.stepM);
+    const survey::PlanOptions planOptions = planGiven(options, survey::PlanOptions().stepM);
     room.validate();
     planOptions.validate(room);
     const std::optional<survey::CaptureProfile> profile = survey::parseProfile(options.profile);
@@ -261,10 +270,10 @@ void addNew(Commands& commands) {
                         fixed(survey::PlanOptions().stepM, 1), ", and ", fixed(survey::kStepByHandM, 1),
                         " by hand"));
     command
-        .option("--height", options->plan.heightsM,
-                "Height of the lens above the floor, metres; several make layers")
-        .separatedBy(',')
-        .showDefault();
+        .option("--height", options->heightsM,
+                text("Height of the lens above the floor, metres; several make layers; without it ",
+                     fixed(survey::PlanOptions().heightsM.front(), 1), ", which is a guess by hand"))
+        .separatedBy(',');
     command.option("--rail-stops", options->plan.railStops, "Stops of the cart on the rail").showDefault();
     command.option("--profile", options->profile, text("How the camera is set. ", kProfileHelp))
         .showDefault();

@@ -26,6 +26,8 @@ constexpr int kLeastPoints = 20;
 constexpr double kDoubtfulSigmaM = 0.015;
 constexpr double kDoubtfulSigmaRad = 0.006;
 constexpr double kUnknownScaleSigma = 0.3;
+/// Lenses in hands, on sticks and tripods stand from 1 to 2 m high, most of them at about 1.5 m.
+constexpr double kGuessedScaleSigma = 0.25;
 
 /// The largest part, while it is placed.
 struct Part {
@@ -162,6 +164,11 @@ double metresPerUnit(const Part& part, const std::optional<FloorPlane>& floor, c
         made.scaleSigma = tags.scale->sigma / tags.scale->value;
         return 1 / tags.scale->value;
     }
+    if (floor && options.isLensHeightGuessed) {
+        made.scaleBy = ScaleBy::Guess;
+        made.scaleSigma = kGuessedScaleSigma;
+        return options.lensHeightM / floor->lensHeight;
+    }
     if (floor) {
         made.scaleBy = ScaleBy::Floor;
         made.scaleSigma = std::hypot(options.lensHeightSigmaM / options.lensHeightM,
@@ -193,7 +200,7 @@ void tellScales(double metres, const RoomTags& tags, const std::optional<FloorPl
     if (tags.scale && made.scaleBy == ScaleBy::Distance) {
         tell(metres * tags.scale->value, std::hypot(made.scaleSigma, tags.scale->sigma / tags.scale->value),
              "the given distance", "Measure the printed tags and the distance again.");
-    } else if (tags.scale && floor) {
+    } else if (tags.scale && floor && !options.isLensHeightGuessed) {
         const double byFloor = options.lensHeightM / (metres * floor->lensHeight);
         tell(byFloor,
              std::hypot(made.scaleSigma, options.lensHeightSigmaM / options.lensHeightM, kUnevenFloor),
@@ -257,6 +264,11 @@ void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made) {
         made.warnings.push_back(
             "The scale is not known: the photos show too little of the floor below them, and no distance was "
             "given. Give --distance with two photos and the metres between them.");
+    } else if (made.scaleBy == ScaleBy::Guess) {
+        made.warnings.push_back(text(
+            "Nobody said how high the lens stands over the floor: ", fixed(options.lensHeightM, 2),
+            " m is a guess, and all lengths may be a quarter too long or too short. Give --lens-height, or "
+            "--distance with two photos and the metres between them."));
     }
 }
 
@@ -418,6 +430,7 @@ FreePlaces freePlaces(std::span<const PhotoPrior> photos, std::span<const PhotoP
     throwIfStopped(stop);
     FreePlaces made = placesThatAgree(estimates, photos, pairs, options, progress, stop);
     made.lensHeightM = options.lensHeightM;
+    made.isLensHeightGuessed = options.isLensHeightGuessed;
     progress.progress(1, "Placed");
     return made;
 }

@@ -133,7 +133,7 @@ void tellSteps(const std::vector<Room>& rooms, double lensHeightM, FreePlaces& p
             doubt(places.photos[photo], step);
         }
     }
-    if (isStep && places.scaleBy == ScaleBy::Floor) {
+    if (isStep && (places.scaleBy == ScaleBy::Floor || places.scaleBy == ScaleBy::Guess)) {
         measureByFloor(rooms.front(), *below, lensHeightM, places);
     }
 }

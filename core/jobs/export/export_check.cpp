@@ -154,16 +154,21 @@ class Look {
             inDoubt += doubtful.contains(photo.id) ? 1 : 0;
         }
         if (unsolved > 0) {
-            m_check.doubts.push_back(text(counted(unsolved, "photo has", "photos have"),
-                                          " no known heading: it would be exported as if it looked along the "
-                                          "room's x axis; align again, or reject it."));
+            m_check.doubts.push_back(
+                unsolved == 1
+                    ? "1 photo has no known heading: it would be exported as if it looked along the "
+                      "room's x axis; align again, or reject it."
+                    : text(unsolved, " photos have no known heading: they would be exported as if they "
+                                     "looked along the room's x axis; align again, or reject them."));
         }
         if (std::string elsewhere = placesInDoubt(m_store); !elsewhere.empty()) {
             m_check.doubts.push_back(std::move(elsewhere));
         }
         if (inDoubt > 0) {
-            m_check.doubts.push_back(text("The alignment of ", counted(inDoubt, "photo", "photos"),
-                                          " is doubtful; review them, or export them as they are."));
+            m_check.doubts.push_back(
+                inDoubt == 1 ? "The alignment of 1 photo is doubtful; review it, or export it as it is."
+                             : text("The alignment of ", inDoubt,
+                                    " photos is doubtful; review them, or export them as they are."));
         }
     }
 

@@ -304,6 +304,8 @@ dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<
         }
         contents.photos.push_back(std::move(source));
     }
+    const auto findings = activeFindings(store);
+    contents.info.scaleSigma = findings ? findings->scaleSigma : 0;
     contents.info.sphereRadiusM = radiusFor(store, contents.photos);
     report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
     report.rejected = store.counts().rejectedPhotos;

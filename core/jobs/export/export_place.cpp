@@ -46,6 +46,17 @@ class PlaceExport {
           m_options(options),
           m_stop(stop) {}
 
+    /// A survey's own export says why.
+    void tellScale(ProgressSink& progress) const {
+        constexpr double kToldSigma = 0.05;
+        if (m_dataset.info().scaleSigma >= kToldSigma) {
+            progress.warning(
+                text("All lengths of the dataset are known to ", fixed(100 * m_dataset.info().scaleSigma, 0),
+                     " % alone (one standard deviation): align its survey with a known height of the "
+                     "lens, or a known distance, and export it again."));
+        }
+    }
+
     PlaceReport run(const fs::path& folder, ProgressSink& progress) {
         ProgressStep finding(progress, 0, 0.8);
         find(finding);
@@ -275,6 +286,9 @@ PlaceReport exportPlace(const fs::path& source, const fs::path& folder, const Pl
     const SourceDataset dataset = sourceOf(source, exporting, stop);
     ProgressStep placing(progress, dataset.path() == source ? 0 : 0.6, 1);
     PlaceExport place(dataset.path(), options, stop);
+    if (dataset.path() == source) {
+        place.tellScale(placing);
+    }
     PlaceReport report;
     makeFolder(folder, "the export",
                [&](const fs::path& unfinished) { report = place.run(unfinished, placing); });
@@ -304,7 +318,9 @@ Furniture furnitureOf(const fs::path& dataset, const render::RoomShape& room, co
                       ProgressSink& progress, const std::stop_token& stop) {
     room.validate();
     options.validate();
-    return PlaceExport(dataset, options, stop).furniture(room, progress);
+    PlaceExport place(dataset, options, stop);
+    place.tellScale(progress);
+    return place.furniture(room, progress);
 }
 
 Json toJson(const PlaceReport& report) {

@@ -158,27 +158,6 @@ std::optional<TagFit> fitToTags(const align::FreePlaces& places, std::span<const
     return fit;
 }
 
-std::string scaleText(const align::FreePlaces& places) {
-    const std::string sigma = text(fixed(100 * places.scaleSigma, 1), " % (one standard deviation)");
-    switch (places.scaleBy) {
-    case align::ScaleBy::Floor:
-        return text("The height of the lens over the solved floor, ", fixed(places.lensHeightM, 2),
-                    " m, gives the scale, to ", sigma, ".");
-    case align::ScaleBy::Distance:
-        return text("The given distance gives the scale, to ", sigma, ".");
-    case align::ScaleBy::Tags:
-        return places.join
-                   ? text(counted(static_cast<int>(places.join->numbers.size()),
-                                  "AprilTag of the other survey gives", "AprilTags of the other survey give"),
-                          " frame and scale, to ", sigma, "; they fit within ",
-                          fixed(1000 * places.join->misfitM, 1), " mm.")
-                   : text("The printed size of the tags gives the scale, to ", sigma, ".");
-    case align::ScaleBy::Nothing:
-        break;
-    }
-    return "Nothing gives the scale.";
-}
-
 } // namespace
 
 void refuseUnknownPlaces(const store::SurveyStore& store) {
@@ -197,10 +176,35 @@ void refuseUnknownPlaces(const store::SurveyStore& store) {
     }
 }
 
+namespace {
+
+/// The usual height that photos were said to have when they were imported; that which the pictures gave an
+/// earlier solution was said by nobody.
+std::optional<double> importedHeightM(const store::SurveyStore& store) {
+    const auto findings = activeFindings(store);
+    std::vector<double> heightsM;
+    for (const store::PhotoRecord& photo : store.chosenPhotos()) {
+        if (store.station(photo.station).isPlaceKnown && !(findings && findings->isFree)) {
+            heightsM.push_back(photo.positionM.z());
+        }
+    }
+    return heightsM.empty() ? std::nullopt : std::optional(median(std::move(heightsM)));
+}
+
+void takeLensHeight(const store::SurveyStore& store, double givenM, align::FreeOptions& options) {
+    const survey::PlanOptions plan = store.planOptions();
+    const bool isGuess = givenM == 0 && plan.areHeightsGuessed && store.plan().placements.empty();
+    const std::optional<double> importedM = isGuess ? importedHeightM(store) : std::nullopt;
+    options.lensHeightM = givenM > 0 ? givenM : importedM.value_or(plan.heightsM.front());
+    options.isLensHeightGuessed = isGuess && !importedM;
+}
+
+} // namespace
+
 align::FreeOptions freeOptions(const store::SurveyStore& store, const AlignOptions& options,
                                std::span<const AlignedPhoto> photos) {
     align::FreeOptions made;
-    made.lensHeightM = options.lensHeightM > 0 ? options.lensHeightM : store.planOptions().heightsM.front();
+    takeLensHeight(store, options.lensHeightM, made);
     made.threads = options.threads;
     if (options.distance) {
         made.distance = {photoNamed(options.distance->a, photos), photoNamed(options.distance->b, photos),
@@ -241,9 +245,11 @@ std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
     constexpr std::size_t kLeastDoubtful = 4;
     std::optional<TagFit> fit = fitToTags(places, priors, 0);
     const double spreadM = fit ? radiusM(fit->photos, priors) : 0;
-    if (spreadM > 0 && places.scaleBy != align::ScaleBy::Nothing &&
-        places.scaleSigma < fit->sigmaM / spreadM) {
+    FrameSigma frame;
+    frame.scale = spreadM > 0 ? fit->sigmaM / spreadM : 0;
+    if (spreadM > 0 && places.scaleBy != align::ScaleBy::Nothing && places.scaleSigma < frame.scale) {
         fit = fitToTags(places, priors, 1); // The pictures know it better.
+        frame.scale = places.scaleSigma;
     }
     if (!fit || fit->photos.size() < kLeastPhotos || 3 * fit->photos.size() < 2 * priors.size()) {
         return std::nullopt;
@@ -256,7 +262,6 @@ std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
         placements[places.photos[i].doubt.empty() ? 0 : 1].push_back(i);
     }
     const double riseM = median(std::move(rises));
-    FrameSigma frame;
     for (std::size_t placement = 0; placement < placements.size(); ++placement) {
         const std::vector<std::size_t>& photos = placements[placement];
         const double aroundM = radiusM(photos, priors);
@@ -347,12 +352,20 @@ void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPri
     }
     widenTurns(places, report);
     widen(commonLeanSigma(places, priors, report), report);
+    report.scaleSigma = places.scaleSigma;
     report.alignment.reason = text("The places were solved from the pictures. ", scaleText(places));
     for (const std::string& warning : places.warnings) {
         report.alignment.warnings.push_back(warning);
-        if (places.scaleBy == align::ScaleBy::Nothing) {
+        if (places.scaleBy == align::ScaleBy::Nothing || places.scaleBy == align::ScaleBy::Guess) {
             report.tagWarnings.push_back(warning);
         }
+    }
+}
+
+void keepLensHeight(store::SurveyStore& store, const align::FreePlaces& places) {
+    if (!places.isLensHeightGuessed && places.lensHeightM < store.room().ceilingM &&
+        store.plan().placements.empty()) {
+        store.setLensHeight(places.lensHeightM);
     }
 }
 

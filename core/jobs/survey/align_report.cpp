@@ -111,7 +111,8 @@ std::string knownText(const AlignReport& report) {
 namespace {
 
 std::string_view scaleName(align::ScaleBy by) {
-    constexpr EnumNames<align::ScaleBy, 4> kNames{{{align::ScaleBy::Nothing, "nothing"},
+    constexpr EnumNames<align::ScaleBy, 5> kNames{{{align::ScaleBy::Nothing, "nothing"},
+                                                   {align::ScaleBy::Guess, "guess"},
                                                    {align::ScaleBy::Floor, "floor"},
                                                    {align::ScaleBy::Distance, "distance"},
                                                    {align::ScaleBy::Tags, "tags"}}};
@@ -126,10 +127,15 @@ Json placesJson(const align::FreePlaces& places) {
     return {{"parts", places.parts},
             {"scale_by", scaleName(places.scaleBy)},
             {"scale_sigma", places.scaleSigma},
+            {"lens_height_m", places.lensHeightM},
             {"is_level_by_floor", places.isLevelByFloor},
             {"points", places.pointsM.size()},
             {"outline", outline},
             {"ceiling_m", places.ceilingM}};
+}
+
+std::string shareText(double share) {
+    return text(fixed(100 * share, 1), " % (one standard deviation)");
 }
 
 /// What is said of photos, a line a sentence: before it stand all photos of which it is said.
@@ -167,6 +173,36 @@ Cure cureNamed(std::string_view name) {
     return valueOf(kCures, "The cure", name);
 }
 
+std::string scaleText(const align::FreePlaces& places) {
+    const std::string sigma = shareText(places.scaleSigma);
+    switch (places.scaleBy) {
+    case align::ScaleBy::Guess:
+        return text("A guessed height of the lens over the solved floor, ", fixed(places.lensHeightM, 2),
+                    " m, gives the scale, to ", sigma, ".");
+    case align::ScaleBy::Floor:
+        return text("The height of the lens over the solved floor, ", fixed(places.lensHeightM, 2),
+                    " m, gives the scale, to ", sigma, ".");
+    case align::ScaleBy::Distance:
+        return text("The given distance gives the scale, to ", sigma, ".");
+    case align::ScaleBy::Tags:
+        return places.join
+                   ? text(counted(static_cast<int>(places.join->numbers.size()),
+                                  "AprilTag of the other survey gives", "AprilTags of the other survey give"),
+                          " frame and scale, to ", sigma, "; they fit within ",
+                          fixed(1000 * places.join->misfitM, 1), " mm.")
+                   : text("The printed size of the tags gives the scale, to ", sigma, ".");
+    case align::ScaleBy::Nothing:
+        break;
+    }
+    return "Nothing gives the scale.";
+}
+
+std::string FrameSigma::text() const {
+    return spherewalk::text("The position tags are rough, so the places were solved from the pictures. The "
+                            "scale is known to ",
+                            shareText(scale), ".");
+}
+
 Json toJson(const AlignReport& report) {
     Json photos = Json::array();
     for (const AlignedPhoto& photo : report.photos) {
@@ -179,6 +215,7 @@ Json toJson(const AlignReport& report) {
             {"reason", alignment.reason},
             {"effort", name(report.effort)},
             {"position_sigma_m", report.positionSigmaM},
+            {"scale_sigma", report.scaleSigma},
             {"seconds", report.seconds},
             {"feature_seconds", report.featureSeconds},
             {"match_seconds", report.matchSeconds},

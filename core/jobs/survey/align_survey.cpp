@@ -297,6 +297,7 @@ class AlignRun {
         }
         throwIfStopped(m_stop);
         m_tagged = m_priors;
+        m_report.scaleSigma = scaleSigmaOf(m_tagged);
         solvePoses(0.87, 0.94);
         const auto frees = [&] {
             return m_options.checksPositions && !m_report.tagFrame.isMirrored &&
@@ -331,6 +332,7 @@ class AlignRun {
         const align::FreePlaces places = freePlaces(true);
         const std::optional<FrameSigma> frame = usePlacesByTags(places, m_priors);
         if (frame) {
+            m_report.scaleSigma = frame->scale;
             solvePoses(0.9, 0.98, frame);
             widenTurns(places, m_report);
         }
@@ -355,9 +357,7 @@ class AlignRun {
         m_report.alignment = align::solve(m_priors, m_pairs, m_estimates, options, step, m_stop);
         if (options.model != m_options.model) {
             m_report.alignment.reason =
-                m_by == PlacesBy::Tags
-                    ? "Photos with wrong tags are solved with their places."
-                    : "The position tags are rough, so the places were solved from the pictures.";
+                frame ? frame->text() : "Photos with wrong tags are solved with their places.";
         }
     }
 

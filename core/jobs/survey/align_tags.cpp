@@ -240,6 +240,22 @@ void correctPositions(std::span<const align::PairEstimate> estimates,
     }
 }
 
+double scaleSigmaOf(std::span<const align::PhotoPrior> tagged) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double weights = 0;
+    for (const align::PhotoPrior& photo : tagged) {
+        const double weight = std::pow(photo.positionSigmaM, -2);
+        sum += weight * photo.positionM.head<2>();
+        weights += weight;
+    }
+    double information = 0;
+    for (const align::PhotoPrior& photo : tagged) {
+        information +=
+            (photo.positionM.head<2>() - sum / weights).squaredNorm() / std::pow(photo.positionSigmaM, 2);
+    }
+    return information > 0 ? std::min(1 / std::sqrt(information), 1.) : 0;
+}
+
 bool freeMoved(std::span<const align::PhotoPrior> tagged, double positionSigmaM,
                std::span<align::PhotoPrior> priors, AlignReport& report) {
     const std::vector<PhotoMove> moved = movedPhotos(tagged, report.alignment);

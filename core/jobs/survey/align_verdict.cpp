@@ -153,6 +153,7 @@ void recordSolution(store::SurveyStore& store, const AlignOptions& options, Alig
     report.solution = store.addSolution(solution, options.isActivated);
     if (options.isFree && options.isActivated) {
         moveStations(store, report);
+        keepLensHeight(store, *report.places);
     }
 }
 

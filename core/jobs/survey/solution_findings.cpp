@@ -87,6 +87,10 @@ class Reading {
         if (!report.isAbsent("position_sigma_m")) {
             m_findings.positionSigmaM = report.number("position_sigma_m");
         }
+        const JsonReader said = m_findings.isFree ? report.member("places") : report;
+        if (!said.isAbsent("scale_sigma")) {
+            m_findings.scaleSigma = said.number("scale_sigma");
+        }
         if (!report.isAbsent("warnings")) {
             m_findings.warnings = strings(report.member("warnings"));
         }

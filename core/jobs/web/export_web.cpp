@@ -62,6 +62,7 @@ class DatasetPage {
         page.room = {info.outline, info.obstacles, info.ceilingM};
         page.floorM = info.roomShape ? info.roomShape->floorM : 0;
         page.stepM = info.stepM;
+        page.scaleSigma = info.scaleSigma;
         page.radiusM = info.sphereRadiusM.value_or(page.radiusM);
         page.floor = floorCells(info, [](std::size_t photo) { return std::to_string(photo); });
         for (std::size_t i = 0; i < info.photos.size(); ++i) {

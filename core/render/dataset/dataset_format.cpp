@@ -45,6 +45,15 @@ Json listOf(const std::vector<Item>& items, Json (*jsonOf)(const Item&)) {
     return result;
 }
 
+template <class Item>
+std::vector<Item> listFrom(const JsonReader& list, std::size_t most, Item (*itemOf)(const JsonReader&)) {
+    std::vector<Item> result;
+    for (std::size_t i = 0; i < list.arraySize(most); ++i) {
+        result.push_back(itemOf(list.element(i)));
+    }
+    return result;
+}
+
 Json optionalText(const std::string& value) {
     return value.empty() ? Json() : Json(value);
 }
@@ -284,10 +293,7 @@ void checkVersion(const JsonReader& root, const std::string& source) {
 
 void readRoom(const JsonReader& room, DatasetInfo& info) {
     info.outline = polygonOf(room.member("outline_m"));
-    const JsonReader obstacles = room.member("obstacles_m");
-    for (std::size_t i = 0; i < obstacles.arraySize(kMostVertices); ++i) {
-        info.obstacles.push_back(polygonOf(obstacles.element(i)));
-    }
+    info.obstacles = listFrom(room.member("obstacles_m"), kMostVertices, polygonOf);
     info.ceilingM = boundedNumber(room.member("ceiling_m"), 0, kFarthestM);
 }
 
@@ -402,6 +408,7 @@ Json toJson(const DatasetInfo& info) {
         {"room",
          {{"outline_m", listOf(info.outline)}, {"obstacles_m", obstacles}, {"ceiling_m", info.ceilingM}}},
         {"grid", {{"step_m", info.stepM}}},
+        {"scale_sigma", info.scaleSigma},
         {"highlight_rolloff", info.highlightRolloff},
         {"scene_models", models},
         {"choice", info.choice ? toJson(*info.choice) : Json()},
@@ -421,26 +428,20 @@ DatasetInfo parseDatasetInfo(const Json& json, const std::string& source) {
     info.madeBy = root.string("made_by");
     info.surveyId = root.string("survey_id");
     readRoom(root.member("room"), info);
+    info.scaleSigma = numberOr(0, root, "scale_sigma", 0, 1);
     info.highlightRolloff = numberOr(0, root, "highlight_rolloff", 0, 0.5);
     info.stepM = boundedNumber(root.member("grid").member("step_m"), 0, kFarthestM);
     readSceneModels(root.member("scene_models"), info);
-    if (!root.isAbsent("choice")) {
-        info.choice = parseViewChoice(root.member("choice"));
-    }
+    info.choice =
+        root.isAbsent("choice") ? std::nullopt : std::optional(parseViewChoice(root.member("choice")));
     if (!root.isAbsent("colour_correction")) {
         info.colour = parseColourCorrection(root.member("colour_correction"));
     }
     info.tags = tagsOf(root);
-    const JsonReader cameras = root.member("suggested_cameras");
-    for (std::size_t i = 0; i < cameras.arraySize(1000); ++i) {
-        info.cameras.push_back(cameraOf(cameras.element(i)));
-    }
-    const JsonReader photos = root.member("photos");
-    for (std::size_t i = 0; i < photos.arraySize(kMostPhotos); ++i) {
-        info.photos.push_back(photoOf(photos.element(i)));
-    }
+    info.cameras = listFrom(root.member("suggested_cameras"), 1000, cameraOf);
+    info.photos = listFrom(root.member("photos"), kMostPhotos, photoOf);
     if (info.photos.empty()) {
-        photos.fail("the dataset has no photos");
+        root.member("photos").fail("the dataset has no photos");
     }
     checkChoice(info, root);
     return info;

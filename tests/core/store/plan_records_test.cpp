@@ -160,6 +160,21 @@ TEST_F(PlanRecords, TakeAnotherRoomWithoutRails) {
     EXPECT_EQ(m_store.roomOrigin(), RoomOrigin::Drawn);
 }
 
+TEST_F(PlanRecords, KnowWhetherSomebodySaidHowHighTheLensIs) {
+    expectRefused(ErrorKind::InvalidInput, "its rails were planned for the cart's",
+                  [&] { m_store.setLensHeight(1.4); });
+    survey::PlanOptions guess = test::twoHeights();
+    guess.heightsM = {1.2};
+    guess.areHeightsGuessed = true;
+    m_store.replacePlan(survey::unknownRoom(), guess, {});
+    EXPECT_TRUE(SurveyStore::open(m_path, Access::Read).planOptions().areHeightsGuessed);
+    expectRefused(ErrorKind::InvalidInput, "below the ceiling", [&] { m_store.setLensHeight(9); });
+    EXPECT_TRUE(m_store.planOptions().areHeightsGuessed);
+    m_store.setLensHeight(1.4);
+    EXPECT_EQ(m_store.planOptions().heightsM, std::vector<double>{1.4});
+    EXPECT_FALSE(m_store.planOptions().areHeightsGuessed);
+}
+
 TEST_F(PlanRecords, KnowWhetherARoomIsKnown) {
     EXPECT_EQ(m_store.knownRoom().outline, test::smallRoom().outline);
     m_store.replacePlan(survey::unknownRoom(), test::twoHeights(), {});
@@ -219,6 +234,7 @@ TEST(Profiles, AreNoneInASurveyFromBeforeThem) {
     {
         Database database(path / "survey.sqlite", Database::Mode::Write, std::chrono::seconds(1));
         database.execute(
+            "ALTER TABLE survey DROP COLUMN are_heights_guessed; "
             "ALTER TABLE survey DROP COLUMN is_room_drawn; DROP TABLE private_region; DROP TABLE "
             "face_search; "
             "ALTER TABLE placement DROP COLUMN is_locked; ALTER TABLE survey DROP COLUMN is_by_hand; "

@@ -109,11 +109,11 @@ TEST_F(Damaged, IsRefusedWhenItBelongsToAnotherProgram) {
 }
 
 TEST_F(Damaged, IsRefusedUnmodifiedWhenNewer) {
-    execute("PRAGMA user_version = 9; PRAGMA wal_checkpoint(TRUNCATE)");
+    execute("PRAGMA user_version = 10; PRAGMA wal_checkpoint(TRUNCATE)");
     const std::string before = sha256HexOfFile(database());
-    expectNotOpened(ErrorKind::Unsupported,
-                    "was written by a newer Spherewalk (format 9, this one knows up to 8); update Spherewalk",
-                    m_path);
+    expectNotOpened(
+        ErrorKind::Unsupported,
+        "was written by a newer Spherewalk (format 10, this one knows up to 9); update Spherewalk", m_path);
     EXPECT_EQ(sha256HexOfFile(database()), before);
 }
 

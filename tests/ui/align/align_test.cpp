@@ -267,6 +267,23 @@ TEST_F(AlignModeTest, WritesNumbersAsTheLanguageDoes) {
     EXPECT_EQ(sigma, "0,057");
 }
 
+TEST_F(AlignModeTest, KnowsWhatWasSaidOfTheCamera) {
+    auto& height = widget<QDoubleSpinBox>("lensHeight");
+    EXPECT_EQ(height.value(), session->state().options.heightsM.front());
+    {
+        const test::TemporaryFolder folder;
+        survey::PlanOptions guess;
+        guess.areHeightsGuessed = true;
+        const std::filesystem::path path = folder / "walk.spherewalk";
+        store::SurveyStore::create(path, "walk", survey::unknownRoom(), guess, {});
+        const auto walk = SurveySession::open(QString::fromStdString(path.string()));
+        mode.setSession(walk.get());
+        EXPECT_EQ(height.text(), "not known");
+        mode.setSession(session.get());
+    }
+    EXPECT_EQ(height.value(), session->state().options.heightsM.front());
+}
+
 TEST(AlignWithoutPositions, SolvesWherePhotosWereTaken) {
     const test::TemporaryFolder folder;
     test::writeHandHeldPhotos(folder / "in");

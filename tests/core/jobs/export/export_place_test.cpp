@@ -3,6 +3,7 @@
 #include "photographed_survey.h"
 #include "ply_reader.h"
 #include "test_dataset.h"
+#include "warnings.h"
 
 #include "spherewalk/jobs/export_place.h"
 
@@ -114,6 +115,14 @@ TEST_F(ExportPlace, WritesSeveralFormatsAtOnce) {
     fs::remove_all(folder / "out");
     options.formats = {PlaceFormat::Occupancy};
     EXPECT_EQ(write().freeM2, freeM2) << "the map is of the whole surface";
+}
+
+TEST_F(ExportPlace, TellsThatLengthsAreHardlyKnown) {
+    info.scaleSigma = 0.25;
+    test::rewriteInfo(dataset(), info);
+    test::Warnings warnings;
+    exportPlace(dataset(), folder / "out", options, warnings, {});
+    EXPECT_THAT(warnings.sentences, testing::ElementsAre(testing::HasSubstr("known to 25 % alone")));
 }
 
 TEST_F(ExportPlace, LeavesOutWhatTooFewPhotosShow) {

@@ -8,9 +8,11 @@
 #include "spherewalk/geometry/polygon.h"
 #include "spherewalk/jobs/align_survey.h"
 #include "spherewalk/jobs/check_places.h"
+#include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/photo/position_tag.h"
+#include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
 
 #include <gmock/gmock.h>
@@ -115,6 +117,45 @@ TEST_F(FreeSurvey, PlacesAreSolvedAndTheStationsMoveThere) {
     EXPECT_EQ(photosToExport(store).photos.size(), 6U);
     EXPECT_TRUE(checkPlaces(store, noProgress(), {}).empty());
     refuseUnknownPlaces(store); // throws nothing: it is a survey like any other now
+}
+
+TEST_F(FreeSurvey, AHeightOfTheLensThatNobodySaidIsAGuess) {
+    survey::PlanOptions plan;
+    plan.areHeightsGuessed = true;
+    auto store = store::SurveyStore::create(m_folder / "g.spherewalk", "g", survey::unknownRoom(), plan, {});
+    importPhotos(store, {m_folder / "in", {}}, noProgress(), {});
+    AlignOptions options;
+    options.isFree = true;
+    const AlignReport guessed = alignSurvey(store, options, noProgress(), {});
+    EXPECT_EQ(guessed.scaleSigma, 0.25);
+    EXPECT_THAT(alignText(guessed), HasSubstr("A guessed height of the lens over the solved floor, 1.20 m"));
+    EXPECT_THAT(photosToExport(store).doubts, testing::Contains(StartsWith("Nobody said how high the lens")));
+    exportDataset(store, m_folder / "d", {}, noProgress(), {});
+    EXPECT_EQ(render::Dataset::open(m_folder / "d").info().scaleSigma, 0.25);
+    EXPECT_TRUE(store.planOptions().areHeightsGuessed);
+
+    options.lensHeightM = 1.5;
+    const AlignReport known = alignSurvey(store, options, noProgress(), {});
+    EXPECT_LT(known.scaleSigma, 0.02);
+    EXPECT_THAT(photosToExport(store).doubts, testing::IsEmpty());
+    options.lensHeightM = 0; // The survey has kept it.
+    const AlignReport again = alignSurvey(store, options, noProgress(), {});
+    EXPECT_EQ(again.scaleSigma, known.scaleSigma);
+    EXPECT_THAT(alignText(again), HasSubstr("1.50 m"));
+    EXPECT_EQ(activeFindings(store)->scaleSigma, known.scaleSigma);
+}
+
+TEST_F(FreeSurvey, AHeightThatPhotosWereImportedWithIsNoGuess) {
+    survey::PlanOptions plan;
+    plan.areHeightsGuessed = true;
+    auto store = store::SurveyStore::create(m_folder / "h.spherewalk", "h", survey::unknownRoom(), plan, {});
+    EXPECT_TRUE(freeOptions(store, {}, {}).isLensHeightGuessed);
+    writeFile(m_folder / "positions.csv",
+              bytesOf(std::string("file,x_m,y_m,z_m\nH0.jpg,1,1,1.4\nH1.jpg,2,1,1.4\n")));
+    importPhotos(store, {m_folder / "in", m_folder / "positions.csv"}, noProgress(), {});
+    const align::FreeOptions options = freeOptions(store, {}, {});
+    EXPECT_EQ(options.lensHeightM, 1.4);
+    EXPECT_FALSE(options.isLensHeightGuessed);
 }
 
 TEST_F(FreeSurvey, ASecondAlignmentKeepsTheFrameAndTheRoomThatSomebodyDrew) {

@@ -74,13 +74,18 @@ TEST_F(PlacesByTags, TakeTheirFrameAndScaleFromTheTagsAndStandAsThePicturesSay) 
     }
     EXPECT_NEAR(frame->placeM, kOffM / std::sqrt(10), 1e-3);
     EXPECT_NEAR(frame->heading.value(), kOffM / std::sqrt(10 * (0.72 + 0.1225)), 1e-2);
+    EXPECT_NEAR(frame->scale, frame->heading.value(), 1e-12);
+    EXPECT_NEAR(scaleSigmaOf(tagged), kOffM / std::sqrt(10 * (0.72 + 0.1225)), 1e-2);
 }
 
 TEST_F(PlacesByTags, KeepTheScaleOfTheFloorWhereTheTagsKnowItWorse) {
     m_places.scaleBy = align::ScaleBy::Floor;
     m_places.scaleSigma = 0.008;
     const std::vector<align::PhotoPrior> tagged = m_priors;
-    ASSERT_TRUE(usePlacesByTags(m_places, m_priors));
+    const std::optional<FrameSigma> frame = usePlacesByTags(m_places, m_priors);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->scale, 0.008);
+    EXPECT_THAT(frame->text(), testing::HasSubstr("The scale is known to 0.8 %"));
     EXPECT_NEAR(priorsApartM(0, 9), solvedApartM(0, 9), 1e-9);
     m_priors = tagged;
     m_places.scaleSigma = 0.2;
@@ -135,6 +140,7 @@ TEST_F(PlacesByTags, SayNothingOfTagsThatAreMirroredOrLieTogether) {
     }
     EXPECT_FALSE(usePlacesByTags(m_places, mirrored));
     EXPECT_FALSE(usePlacesByTags(m_places, together));
+    EXPECT_EQ(scaleSigmaOf(together), 0);
     m_places.photos.resize(5);
     m_priors.resize(5);
     EXPECT_FALSE(usePlacesByTags(m_places, m_priors));

@@ -17,6 +17,7 @@ TEST(WebPage, IsWalkedAndMeasuredInABrowser) {
     info.outline = info.roomShape->outline;
     info.photos[1].station = "two </script><img src=x onerror=\"hacked = 1\">";
     info.photos[3].depth.clear();
+    info.scaleSigma = 0.25;
     test::rewriteInfo(folder / "room.dataset", info);
     exportWeb(folder / "room.dataset", folder / "page", {}, noProgress(), {});
     test::Program browser({SPHEREWALK_PYTHON, "-B", SPHEREWALK_PAGE_TEST, (folder / "page").string()});

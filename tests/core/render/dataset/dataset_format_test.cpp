@@ -24,6 +24,7 @@ DatasetInfo fullInfo() {
     info.obstacles = {{{1, 1}, {2, 1}, {2, 2}}};
     info.ceilingM = 2.6;
     info.stepM = 0.2;
+    info.scaleSigma = 0.03;
     info.highlightRolloff = 0.2;
     info.sphereRadiusM = 1.9;
     info.measuredErrorPx = {{SceneKind::Sphere, 5.25}};
@@ -81,6 +82,7 @@ TEST(DatasetFormat, ComesBackAsItWasWritten) {
     EXPECT_EQ(withoutRotations(toJson(again)), withoutRotations(json));
     EXPECT_EQ(again.outline, info.outline);
     EXPECT_EQ(again.sphereRadiusM, info.sphereRadiusM);
+    EXPECT_EQ(again.scaleSigma, info.scaleSigma);
     EXPECT_EQ(again.highlightRolloff, info.highlightRolloff);
     for (std::size_t i = 0; i < info.photos.size(); ++i) {
         EXPECT_EQ(again.photos[i].roomFromPhoto.translation, info.photos[i].roomFromPhoto.translation);

@@ -82,6 +82,7 @@ struct KnownDistance {
 struct FreeOptions {
     double lensHeightM = 1.2;              ///< Usual height of the lens above the floor.
     double lensHeightSigmaM = 0.01;        ///< Standard deviation of the mean of all photos' heights.
+    bool isLensHeightGuessed = false;      ///< Nobody said it, and lengths are known to a quarter.
     std::optional<KnownDistance> distance; ///< Fixes the scale in place of the floor.
     /// AprilTags that the photos see. Their printed size fixes the scale in place of the floor.
     std::vector<TagSighting> tags;
@@ -109,7 +110,13 @@ struct FreePlace {
     int points = 0;                      ///< Number of solved points that it sees.
 };
 
-enum class ScaleBy { Nothing, Floor, Distance, Tags };
+enum class ScaleBy {
+    Nothing,
+    Guess, ///< A height of the lens over the floor that nobody said.
+    Floor, ///< The height of the lens over it.
+    Distance,
+    Tags
+};
 
 struct FreePlaces {
     std::vector<FreePlace> photos;
@@ -117,6 +124,7 @@ struct FreePlaces {
     ScaleBy scaleBy = ScaleBy::Nothing;
     double scaleSigma = 0;                ///< Standard deviation of all lengths, as a share of them.
     double lensHeightM = 0;               ///< What was taken for the usual height of the lens.
+    bool isLensHeightGuessed = false;     ///< Nobody said it.
     bool isLevelByFloor = false;          ///< Whether the floor, and not the photos, said what is level.
     std::vector<Eigen::Vector3d> pointsM; ///< What the photos of the largest part see, in the room frame.
     std::optional<TagJoin> join;          ///< How the frame was found by known tags.

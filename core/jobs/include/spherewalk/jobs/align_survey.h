@@ -54,7 +54,8 @@ struct AlignOptions {
     /// Whether the places of all photos are solved from the pictures alone. What the survey says of them is
     /// not used. If the solution becomes the active one, the photos' stations move to the solved places.
     bool isFree = false;
-    /// Usual height of the lens above the floor, which gives a free solution its scale. 0: that of the plan.
+    /// Usual height of the lens above the floor, which gives a free solution its scale, and which a survey
+    /// without rails keeps. 0: that of the plan, or that which imported photos were said to have.
     double lensHeightM = 0;
     std::optional<MeasuredDistance> distance; ///< Gives a free solution its scale in place of the floor.
     /// Printed side of the AprilTags that hang in the room, in metres; 0: photos are not searched for any.
@@ -118,6 +119,7 @@ struct AlignReport {
     align::Alignment alignment; ///< Its photos have the order of `photos`.
     std::vector<AlignedPhoto> photos;
     std::optional<align::FreePlaces> places; ///< What a free solution found.
+    double scaleSigma = 0;                   ///< Of all lengths, as a share of them.
     align::TagFrame tagFrame;                ///< Empty unless positions were checked, as the next two.
     std::optional<align::Scale> scale;       ///< Length of the solved positions over their true length.
     std::vector<std::string> tagWarnings;    ///< Sentences on all tags at once; the alignment's warnings too.
@@ -214,6 +216,10 @@ void usePlaces(const align::FreePlaces& places, std::span<align::PhotoPrior> pri
 struct FrameSigma {
     double placeM = 0; ///< Of their middle, along either axis.
     Radians heading;
+    double scale = 0; ///< Of all lengths, as a share of them.
+
+    /// Sentences on what gave the places, and how well they know the scale.
+    std::string text() const;
 };
 
 /// Makes places that the pictures gave those that photos are aligned with, as one placement. A turn, a shift
@@ -224,6 +230,9 @@ struct FrameSigma {
 /// tags.
 std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
                                           std::span<align::PhotoPrior> priors);
+
+/// How well the tags' places know all lengths: a standard deviation, as a share of them; 0 for one place.
+double scaleSigmaOf(std::span<const align::PhotoPrior> tagged);
 
 /// A turn about the vertical and then a shift along the floor.
 struct FloorMotion {
@@ -247,6 +256,9 @@ void keepFrame(const store::SurveyStore& store, std::span<const store::PhotoReco
 /// independent, but a room bends against another as a whole. Shape: places has one entry a photo.
 void widenTurns(const align::FreePlaces& places, AlignReport& report);
 
+/// A sentence on what gave the scale, and how well.
+std::string scaleText(const align::FreePlaces& places);
+
 /// Writes the found places into the report's alignment, with what makes them doubtful. priors: one a photo.
 void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPrior> priors,
                 AlignReport& report);
@@ -254,6 +266,10 @@ void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPri
 /// Makes what photos by hand show the survey's room: the outline of the walls, and a ceiling that is higher
 /// than its own. Does nothing if they make no room. Errors: those of SurveyStore::replaceRoom().
 void takeRoom(store::SurveyStore& store, const Polygon& outline, double ceilingM);
+
+/// Lets a survey without rails keep the height of the lens, if somebody said it and it is below the ceiling.
+/// Errors: those of the store.
+void keepLensHeight(store::SurveyStore& store, const align::FreePlaces& places);
 
 /// Gives each photo that has a place a station there: its own moves, unless it belongs to the plan or to
 /// other photos, too. A survey without rails takes over the outline, and a ceiling that is higher than its

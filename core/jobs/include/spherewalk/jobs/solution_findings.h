@@ -57,6 +57,7 @@ struct SolutionFindings {
     std::string reason;                   ///< Sentence that says why this model; empty if not known.
     bool isFree = false;                  ///< Places were solved from the pictures alone.
     double positionSigmaM = 0;            ///< What the tags were said to err by; 0 if not known.
+    double scaleSigma = 0;                ///< Of all lengths, as a share of them; 0 if not known.
     std::vector<std::string> warnings;    ///< Sentences about the solution as a whole.
     std::vector<std::string> tagWarnings; ///< Those warnings that say that all tags are wrong.
     std::vector<PhotoFinding> photos;     ///< In walking order; photos that the survey lost are left out.

@@ -87,7 +87,9 @@ struct DatasetInfo {
     /// The errors of the scene models that were measured, defined as ViewChoice::errorPx.
     std::map<SceneKind, double> measuredErrorPx;
     std::optional<ViewChoice> choice; ///< It exists if it was measured.
-    double highlightRolloff = 0;      ///< How softly the camera's values end at white, see exposedValue().
+    /// Standard deviation of all lengths, as a share of them. 0 if it is not known.
+    double scaleSigma = 0;
+    double highlightRolloff = 0; ///< How softly the camera's values end at white, see exposedValue().
     std::optional<ColourCorrection> colour; ///< From the photos' colours to the robot's, if it is known.
     std::vector<DatasetTag> tags;
     std::vector<SuggestedCamera> cameras;

@@ -78,6 +78,9 @@ class SurveyStore {
     /// Replaces room, options and plan. Errors: InvalidInput if the survey has a photo or a shot, since these
     /// belong to stations of the present plan.
     void replacePlan(const survey::Room& room, const survey::PlanOptions& options, const survey::Plan& plan);
+    /// Keeps how high the lens usually is in a survey by hand, as somebody said it. Errors: InvalidInput for
+    /// a plan with rails, whose cart has its own heights; those of PlanOptions::validate().
+    void setLensHeight(double heightM);
     /// Replaces the room of a survey by hand. Errors: InvalidInput for a plan with rails, which belong to the
     /// present room; those of Room::validate().
     void replaceRoom(const survey::Room& room, RoomOrigin origin);

@@ -25,6 +25,7 @@ struct PlanOptions {
     double clearanceM = 0.3;         ///< Least distance between a stop and any wall or obstacle.
     double secondsPerPhoto = 12;     ///< Time for one photo, including moving the cart.
     double secondsPerPlacement = 60; ///< Time for carrying the rail and laying it anew.
+    bool areHeightsGuessed = false;  ///< Nobody has said them: there is no cart that was set to them.
 
     /// Errors: InvalidInput with the option and its range; for a step so fine that the room would need more
     /// than kMostStations, the sentence says which step would fit. The room must be valid.

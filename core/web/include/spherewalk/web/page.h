@@ -87,8 +87,9 @@ struct Page {
     std::string createdUtc;
     survey::Room room; ///< The outline is empty where it is not known.
     double floorM = 0;
-    double stepM = 0;   ///< Step of the planned grid; 0 without a grid.
-    double radiusM = 3; ///< How far away things are taken to be in photos without a depth.
+    double stepM = 0;      ///< Step of the planned grid; 0 without a grid.
+    double scaleSigma = 0; ///< Of all lengths, as a share; 0 where it is not known.
+    double radiusM = 3;    ///< How far away things are taken to be in photos without a depth.
     bool hasReview = false;
     std::size_t begin = 0; ///< The photo that is shown first.
     std::vector<Photo> photos;
