@@ -297,16 +297,21 @@ std::shared_ptr<const DepthSteps> Dataset::depth(std::size_t photo) const {
 }
 
 bool Dataset::isOutside(const Vector3d& pInRoom) const {
-    const bool isBetween = m_info.ceilingM <= 0 || (pInRoom.z() >= 0 && pInRoom.z() <= m_info.ceilingM);
-    if (!isBetween || !m_sight->isInOutline(pInRoom.head<2>())) {
-        return true;
-    }
-    if (!m_sight->isInObstacle(pInRoom.head<2>())) {
+    constexpr double kAtPhotoM = 0.1;
+    const auto isInRoom = [&](const Vector3d& place) {
+        return (m_info.ceilingM <= 0 || (place.z() >= 0 && place.z() <= m_info.ceilingM)) &&
+               m_sight->isInOutline(place.head<2>());
+    };
+    const bool isWithin = isInRoom(pInRoom);
+    if (isWithin && !m_sight->isInObstacle(pInRoom.head<2>())) {
         return false;
     }
     const std::vector<std::size_t> near = photosNear(pInRoom, {.most = 4}).photos;
     return std::none_of(near.begin(), near.end(), [&](std::size_t photo) {
-        return m_sight->look(photo, m_info.photos[photo], pInRoom) == Look::Clear;
+        const Vector3d& at = m_info.photos[photo].roomFromPhoto.translation;
+        return (isWithin || !isInRoom(at)) &&
+               ((at - pInRoom).norm() < kAtPhotoM ||
+                m_sight->look(photo, m_info.photos[photo], pInRoom) == Look::Clear);
     });
 }
 

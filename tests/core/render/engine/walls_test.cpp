@@ -332,6 +332,26 @@ TEST_F(TwoRooms, WhereADepthShowsFreeSpaceAnObstacleIsNotSolid) {
     EXPECT_TRUE(Dataset::open(folder.path()).isOutside({1.25, 1.25, 1.2}));
 }
 
+// An outline that leaves out a photo leaves out what was scanned: of one room of two, or wrong.
+TEST_F(TwoRooms, WhereAPhotoStandsBeyondTheOutlineItsSightIsNotOutside) {
+    write(Knows::Depth);
+    info.outline = {{0, 0}, {kWall, 0}, {kWall, 4}, {0, 4}};
+    test::rewriteInfo(folder.path(), info);
+    const Renderer renderer = this->renderer();
+    const Vector3d beyond = info.photos.back().roomFromPhoto.translation;
+    EXPECT_FALSE(renderer.dataset().isOutside(beyond));
+    EXPECT_FALSE(renderer.dataset().isOutside(beyond - Vector3d(0.3, 0.2, 0.1)));
+    EXPECT_EQ(renderer.render(camera, {bodyFromOptical(), beyond}, {.scene = SceneKind::Depth}).report.trust,
+              1);
+    for (const Vector3d& outside :
+         {Vector3d(-0.5, 1, 1.2), Vector3d(kWall + 4.7, 1, 1.2), Vector3d(6, 1, 2.9)}) {
+        EXPECT_TRUE(renderer.dataset().isOutside(outside)) << outside.transpose();
+    }
+    info.photos.back().depth.clear(); // At its own place it knows what it sees.
+    test::rewriteInfo(folder.path(), info);
+    EXPECT_FALSE(Dataset::open(folder.path()).isOutside(beyond + Vector3d(0.05, 0, 0)));
+}
+
 TEST_F(TwoRooms, APhotosUncertaintyLowersTrustByAsMuch) {
     write(Knows::Depth);
     const Rigid3 pose{bodyFromOptical(), info.photos[8].roomFromPhoto.translation};

@@ -97,7 +97,8 @@ class Dataset {
 
     /// Whether a place lies outside of what was scanned: beyond the outline, below the floor, above the
     /// ceiling, or in an obstacle. An obstacle in or over which photos were taken, or a depth shows free
-    /// space, is not solid there.
+    /// space, is not solid there. Photos that stand beyond the outline themselves belong to what was scanned,
+    /// with the free space that their depths show.
     bool isOutside(const Eigen::Vector3d& pInRoom) const;
 
     /// What a photo's depth tells about its own errors; nothing if the photo has no depth, or none that can
