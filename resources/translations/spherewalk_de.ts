@@ -2266,6 +2266,10 @@
         <translation>Die Positionen von %1 widersprechen dem, was die Fotos davon zeigen (%2 % der Richtungen stimmen überein).</translation>
     </message>
     <message>
+        <source>They seem to be off by about %1 m.</source>
+        <translation>Sie sind anscheinend um etwa %1 m falsch.</translation>
+    </message>
+    <message>
         <source>Check the position tags, or state how rough they are.</source>
         <translation>Prüfen Sie die Ortsangaben, oder geben Sie an, wie ungenau sie sind.</translation>
     </message>

@@ -2276,6 +2276,10 @@
         <translation>Położenia %1 przeczą temu, co pokazują zdjęcia (zgadza się %2 % kierunków).</translation>
     </message>
     <message>
+        <source>They seem to be off by about %1 m.</source>
+        <translation>Wydają się błędne o około %1 m.</translation>
+    </message>
+    <message>
         <source>Check the position tags, or state how rough they are.</source>
         <translation>Sprawdź podane położenia albo podaj, jak bardzo są niedokładne.</translation>
     </message>

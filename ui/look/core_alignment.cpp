@@ -79,6 +79,7 @@ constexpr const char* kOfAlignments[] = {
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
         "The positions of %1 contradict what the photos show of them (%2 % of the directions agree)."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "They seem to be off by about %1 m."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Check the position tags, or state how rough they are."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",

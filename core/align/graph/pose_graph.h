@@ -65,8 +65,9 @@ std::optional<Eigen::MatrixXd> solvedSparse(const Eigen::SparseMatrix<double>& m
 /// A way in which a component may lie in the room.
 struct RoomOrientation {
     Eigen::Quaterniond roomFromComponent = Eigen::Quaterniond::Identity();
-    bool hasHeading = false;  ///< False if no two photos stand far enough apart to tell the heading.
-    double agreeingShare = 0; ///< Share of the baselines, by weight, that point as the positions do.
+    bool hasHeading = false;   ///< False if no two photos stand far enough apart to tell the heading.
+    double agreeingShare = 0;  ///< Share of the baselines, by weight, that point as the positions do.
+    double positionErrorM = 0; ///< What the baselines say that positions are off by, across them: a sigma.
 };
 
 /// The ways in which a component may lie in the room, the most likely first; at least one, at most three.

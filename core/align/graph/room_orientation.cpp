@@ -2,6 +2,7 @@
 #include "graph/pose_graph.h"
 #include "pairs/pair_geometry.h"
 
+#include "spherewalk/base/statistics.h"
 #include "spherewalk/geometry/angle.h"
 #include "spherewalk/geometry/rotation.h"
 
@@ -63,6 +64,7 @@ struct HeadingVote {
     double heading = 0;
     double sigma = 0;
     double weight = 0;
+    double apartM = 0; ///< How long the baseline is by its positions.
 };
 
 std::vector<HeadingVote> headingVotes(const Component& component, std::span<const PhotoPrior> photos,
@@ -96,7 +98,7 @@ std::vector<HeadingVote> headingVotes(const Component& component, std::span<cons
             continue;
         }
         const double heading = std::atan2(planned.y(), planned.x()) - std::atan2(seen.y(), seen.x());
-        all.push_back({wrapped(Radians(heading)).value(), sigma, 1 / (sigma * sigma + 1e-3)});
+        all.push_back({wrapped(Radians(heading)).value(), sigma, 1 / (sigma * sigma + 1e-3), apart});
     }
     return all;
 }
@@ -160,6 +162,18 @@ double agreeingShare(const std::vector<HeadingVote>& all, double heading) {
     return agreeing / weights;
 }
 
+/// By the median, since some votes say nothing.
+double positionErrorM(const std::vector<HeadingVote>& all, double heading) {
+    std::vector<double> errorsM;
+    for (const HeadingVote& vote : all) {
+        const double away = std::abs(wrapped(Radians(vote.heading - heading)).value());
+        const double across = std::sin(std::min(away, std::numbers::pi / 2)) * vote.apartM;
+        errorsM.push_back(across / std::numbers::sqrt2); // of both positions
+    }
+    constexpr double kPerMedian = 1.4826;
+    return kPerMedian * median(std::move(errorsM));
+}
+
 } // namespace
 
 std::vector<RoomOrientation> orientations(const Component& component, std::span<const PhotoPrior> photos,
@@ -168,13 +182,14 @@ std::vector<RoomOrientation> orientations(const Component& component, std::span<
     const std::vector<HeadingVote> all = headingVotes(component, photos, estimates, upright);
     std::vector<double> headings = likelyHeadings(all);
     if (headings.empty()) {
-        return {{upright, false, 0}};
+        return {{upright, false, 0, 0}};
     }
     headings.resize(std::min(headings.size(), kMostOrientations));
     std::vector<RoomOrientation> made;
     for (const double likely : headings) {
         const double heading = refinedHeading(all, likely);
-        made.push_back({yawRotation(Radians(heading)) * upright, true, agreeingShare(all, heading)});
+        made.push_back({yawRotation(Radians(heading)) * upright, true, agreeingShare(all, heading),
+                        positionErrorM(all, heading)});
     }
     return made;
 }

@@ -305,15 +305,30 @@ void warnOfQuality(Alignment& alignment, const Component& component, const Solve
         return;
     }
     if (made.orientation.agreeingShare < kGoodHeadingShare) {
-        alignment.warnings.push_back(
-            text("The positions of ", which, " contradict what the photos show of them (",
-                 static_cast<int>(100 * made.orientation.agreeingShare),
-                 " % of the directions agree). Check the position tags, or state how rough they are."));
+        alignment.warnings.push_back(text("The positions of ", which,
+                                          " contradict what the photos show of them (",
+                                          static_cast<int>(100 * made.orientation.agreeingShare),
+                                          " % of the directions agree). They seem to be off by about ",
+                                          fixed(made.orientation.positionErrorM, 2),
+                                          " m. Check the position tags, or state how rough they are."));
     }
     if (made.quality.agreeingShare < kGoodAgreeingShare) {
         alignment.warnings.push_back(text("The alignment of ", which, " is doubtful: only ",
                                           static_cast<int>(100 * made.quality.agreeingShare),
                                           " % of the matches that pairs agreed on fit it."));
+    }
+}
+
+/// Positions that most baselines contradict, and that the matches do not correct, are off by as much as these
+/// say.
+void widenPlaces(const Component& component, const RoomOrientation& orientation, Alignment& alignment) {
+    if (!orientation.hasHeading || orientation.agreeingShare >= kGoodHeadingShare) {
+        return;
+    }
+    for (const int photo : component.photos) {
+        SolvedPose& pose = alignment.photos[static_cast<std::size_t>(photo)];
+        pose.sigmaPositionM = std::hypot(pose.sigmaPositionM, orientation.positionErrorM);
+        pose.sigmaOwnPositionM = std::hypot(pose.sigmaOwnPositionM, orientation.positionErrorM);
     }
 }
 
@@ -408,6 +423,9 @@ Alignment solve(std::span<const PhotoPrior> photos, std::span<const PhotoPair> p
             alignment.warnings.push_back(sentence);
         }
         doubtPhotos(input, made.state, made.sides, made.travel, alignment);
+        if (!input.candidates.solvesPlaces) {
+            widenPlaces(component, made.orientation, alignment);
+        }
     }
     progress.progress(1, "Solved");
     return alignment;

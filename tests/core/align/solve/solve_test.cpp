@@ -475,4 +475,31 @@ TEST(Solve, TurnsPhotosAsTheyShowThoughTheirTagsAreHalfAMetreOff) {
     EXPECT_LE(doubtful, 8); // Of 80, whose tags may say by chance that neighbours stand far apart.
 }
 
+// The same, but nobody says that they are rough.
+TEST(Solve, SaysHowFarTagsAreOffThatThePicturesContradict) {
+    for (int seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        SyntheticSurveyOptions options;
+        options.seed = static_cast<std::uint64_t>(seed);
+        options.columns = 4;
+        options.rows = 3;
+        options.stepM = 1;
+        options.reachM = 1.5;
+        options.roomM = {7, 5, 2.6};
+        options.positionSigmaM = 0.4;
+        options.heightSigmaM = 0.01;
+        SyntheticSurvey survey = syntheticSurvey(options);
+        for (PhotoPrior& photo : survey.photos) {
+            photo.positionSigmaM = 0.005;
+        }
+        const Alignment alignment = solveSurvey(survey);
+        EXPECT_THAT(alignment.warnings,
+                    testing::Contains(testing::HasSubstr("They seem to be off by about 0.")));
+        for (const SolvedPose& pose : alignment.photos) {
+            EXPECT_GT(pose.isSolved ? pose.sigmaOwnPositionM : 0.4, 0.1);
+            EXPECT_LT(pose.isSolved ? pose.sigmaOwnPositionM : 0.4, 1);
+        }
+    }
+}
+
 } // namespace spherewalk::align
