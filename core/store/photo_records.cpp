@@ -169,6 +169,9 @@ void chooseNewest(Database& database, std::int64_t station) {
 } // namespace
 
 std::string photoAtStation(std::string_view fileName, std::string_view station) {
+    if (station.starts_with("unplanned position (")) {
+        return std::string(fileName); // A position says less than the file's name.
+    }
     constexpr std::string_view kPlace = "place of ";
     const std::size_t place = station.find(kPlace);
     if (place != station.npos) {

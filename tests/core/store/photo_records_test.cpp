@@ -149,6 +149,7 @@ TEST(PhotoAtStation, IsNamedOnce) {
     EXPECT_EQ(photoAtStation("R1.JPG", "place of R1.JPG"), "R1.JPG");
     EXPECT_EQ(photoAtStation("R1.JPG", "place of R11.JPG"), "R1.JPG (place of R11.JPG)");
     EXPECT_EQ(photoAtStation("R1_0123abcd.JPG", "place of R1.JPG"), "R1_0123abcd.JPG");
+    EXPECT_EQ(photoAtStation("R1.JPG", "unplanned position (1.20, 3.40)"), "R1.JPG");
     EXPECT_EQ(photoAtStation("_1", "in the middle"), "_1 (in the middle)");
 }
 

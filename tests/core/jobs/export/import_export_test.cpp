@@ -189,7 +189,7 @@ TEST_F(ImportExportTest, NamesPhotosWhoseTurnTheAlignmentDoesNotKnow) {
     store.addSolution(solution, true);
     const std::vector<std::string> doubts = photosToExport(store).doubts;
     ASSERT_EQ(doubts.size(), 1U);
-    EXPECT_TRUE(doubts[0].starts_with("How 1 photo is turned is not known: b.JPG (")) << doubts[0];
+    EXPECT_TRUE(doubts[0].starts_with("How 1 photo is turned is not known: b.JPG. Look")) << doubts[0];
 }
 
 TEST_F(ImportExportTest, NamesTheLineWhosePhotoCannotBeUsedAndTakesTheOthers) {

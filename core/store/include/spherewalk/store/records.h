@@ -37,7 +37,7 @@ struct StationRecord {
 };
 
 /// What sentences call a photo: "R0010001.JPG (rail 3, stop 5)"; the file alone if its station is named after
-/// it.
+/// it, or after its position.
 std::string photoAtStation(std::string_view fileName, std::string_view station);
 
 /// Who says what the room of a survey without rails is.
