@@ -354,6 +354,9 @@ void takePlaces(const align::FreePlaces& places, std::span<const align::PhotoPri
     widen(commonLeanSigma(places, priors, report), report);
     report.scaleSigma = places.scaleSigma;
     report.alignment.reason = text("The places were solved from the pictures. ", scaleText(places));
+    if (std::ranges::none_of(report.alignment.photos, &align::SolvedPose::isSolved)) {
+        return; // Nothing has a length.
+    }
     for (const std::string& warning : places.warnings) {
         report.alignment.warnings.push_back(warning);
         if (places.scaleBy == align::ScaleBy::Nothing || places.scaleBy == align::ScaleBy::Guess) {

@@ -145,6 +145,22 @@ TEST_F(FreeSurvey, AHeightOfTheLensThatNobodySaidIsAGuess) {
     EXPECT_EQ(activeFindings(store)->scaleSigma, known.scaleSigma);
 }
 
+TEST(FreePlacesOfNoPhoto, HaveNoScaleToSpeakOf) {
+    align::FreePlaces places;
+    places.photos.resize(2);
+    places.photos[0].roomFromPhoto = places.photos[1].roomFromPhoto = Rigid3{};
+    places.warnings = {"The scale is not known."};
+    AlignReport report;
+    report.photos.resize(2);
+    report.alignment.photos.resize(2);
+    const std::vector<align::PhotoPrior> priors(2);
+    takePlaces(places, priors, report);
+    EXPECT_THAT(report.alignment.warnings, testing::IsEmpty());
+    report.alignment.photos[1].isSolved = true;
+    takePlaces(places, priors, report);
+    EXPECT_THAT(report.alignment.warnings, testing::ElementsAre("The scale is not known."));
+}
+
 TEST_F(FreeSurvey, AHeightThatPhotosWereImportedWithIsNoGuess) {
     survey::PlanOptions plan;
     plan.areHeightsGuessed = true;
