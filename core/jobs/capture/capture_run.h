@@ -151,6 +151,7 @@ class CaptureRun {
     std::optional<photo::Verdict> judged(const camera::ShotOutcome& outcome);
     void account(const camera::ShotOutcome& outcome, bool isTold = false);
     void judgeFetched();
+    void correct(const PhotoJudge::Again& again);
     void tellIfFlawed(const std::string& station, const photo::Verdict& verdict);
 
     SharedStore& m_store;
@@ -169,6 +170,7 @@ class CaptureRun {
     CaptureSurveyReport m_report;
     std::map<std::int64_t, std::vector<std::string>> m_warningsOf; ///< By the number of the shot.
     std::set<std::int64_t> m_unfetched;                            ///< Shots that were tried in vain.
+    std::set<std::int64_t> m_judged;                               ///< Photos that came in with this run.
     PhotoJudge m_judge;
     PlaceFinder* m_finder;
     std::unique_ptr<camera::OscClient> m_fetchersClient;

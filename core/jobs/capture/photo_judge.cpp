@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -90,6 +91,10 @@ std::vector<PhotoJudge::Near> PhotoJudge::neighbours(const store::PhotoRecord& o
     });
 }
 
+bool PhotoJudge::isEarly(const std::vector<Near>& beside) {
+    return beside.size() < 2 || beside.front().distanceM > photo::kNeighbourhoodM;
+}
+
 std::shared_ptr<const photo::Sketch> PhotoJudge::keep(std::int64_t photo, photo::Sketch sketch) {
     const auto kept = std::make_shared<const photo::Sketch>(std::move(sketch));
     m_sketches.insert_or_assign(photo, kept);
@@ -158,13 +163,11 @@ photo::JudgedPhoto PhotoJudge::judged(const store::PhotoRecord& photo,
     }
 }
 
-photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
-    const std::scoped_lock lock(m_mutex);
-    const store::PhotoRecord record =
-        m_store.use([&](const store::SurveyStore& store) { return store.photo(id); });
+photo::JudgedPhoto PhotoJudge::judgedBeside(const store::PhotoRecord& photo, const std::vector<Near>& beside,
+                                            const std::stop_token& stop) {
     std::vector<std::shared_ptr<const photo::Sketch>> sketches;
     std::vector<photo::Neighbour> near;
-    for (const auto& [other, distanceM] : neighbours(record)) {
+    for (const auto& [other, distanceM] : beside) {
         throwIfStopped(stop);
         if (auto sketch = sketchOf(other)) {
             near.push_back({sketch.get(), distanceM, other.fileName});
@@ -172,13 +175,55 @@ photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
         }
     }
     throwIfStopped(stop);
-    photo::JudgedPhoto result = judged(record, near);
+    photo::JudgedPhoto result = judged(photo, near);
     if (result.sketch) {
-        keep(id, std::move(*result.sketch));
+        keep(photo.id, std::move(*result.sketch));
+    }
+    return result;
+}
+
+/// Judges those photos again that were judged too early, and are no longer alone.
+void PhotoJudge::judgeEarlyAgain(const std::vector<Near>& photos, const std::stop_token& stop) {
+    for (const auto& [record, distanceM] : photos) {
+        const auto early = m_early.find(record.id);
+        if (early == m_early.end()) {
+            continue;
+        }
+        const std::vector<Near> beside = neighbours(record);
+        if (isEarly(beside)) {
+            continue;
+        }
+        photo::Verdict verdict = judgedBeside(record, beside, stop).verdict;
+        std::ranges::copy_if(early->second.findings, std::back_inserter(verdict.findings),
+                             [](const photo::Finding& finding) { // That is known of the photo before it.
+                                 return finding.flaw == photo::Flaw::Unmoved;
+                             });
+        m_store.use([&](store::SurveyStore& store) { store.setVerdict(recordOf(record.id, verdict)); });
+        m_again.push_back({record, std::move(early->second), std::move(verdict)});
+        m_early.erase(early);
+    }
+}
+
+photo::Verdict PhotoJudge::judge(std::int64_t id, const std::stop_token& stop) {
+    const std::scoped_lock lock(m_mutex);
+    const store::PhotoRecord record =
+        m_store.use([&](const store::SurveyStore& store) { return store.photo(id); });
+    const std::vector<Near> beside = neighbours(record);
+    photo::JudgedPhoto result = judgedBeside(record, beside, stop);
+    if (result.sketch) {
         tellIfUnmoved({record, std::move(*result.band)}, result.verdict);
     }
     m_store.use([&](store::SurveyStore& store) { store.setVerdict(recordOf(id, result.verdict)); });
+    if (isEarly(beside)) {
+        m_early.insert_or_assign(id, result.verdict);
+    }
+    judgeEarlyAgain(beside, stop);
     return result.verdict;
+}
+
+std::vector<PhotoJudge::Again> PhotoJudge::takeAgain() {
+    const std::scoped_lock lock(m_mutex);
+    return std::exchange(m_again, {});
 }
 
 } // namespace spherewalk::jobs

@@ -31,6 +31,16 @@ class PhotoJudge {
     /// Stop: Stopped, before the photo itself is read.
     photo::Verdict judge(std::int64_t photo, const std::stop_token& stop);
 
+    /// A photo that was judged before others stood beside it, and again with them.
+    struct Again {
+        store::PhotoRecord photo;
+        photo::Verdict before;
+        photo::Verdict verdict; ///< The store has it.
+    };
+
+    /// Those since the last call.
+    std::vector<Again> takeAgain();
+
   private:
     /// What a photo shows of the place where it was taken.
     struct Standing {
@@ -43,6 +53,13 @@ class PhotoJudge {
         store::PhotoRecord photo;
         double distanceM = 0;
     };
+
+    /// Whether too few photos stand beside one: none is near, or no third one tells which of two is right.
+    static bool isEarly(const std::vector<Near>& beside);
+
+    photo::JudgedPhoto judgedBeside(const store::PhotoRecord& photo, const std::vector<Near>& beside,
+                                    const std::stop_token& stop);
+    void judgeEarlyAgain(const std::vector<Near>& photos, const std::stop_token& stop);
 
     /// As many as a verdict asks for, the nearest first. A photo of unknown place has the others of unknown
     /// places.
@@ -63,6 +80,8 @@ class PhotoJudge {
     std::filesystem::path m_folder;
     std::map<std::int64_t, std::shared_ptr<const photo::Sketch>> m_sketches;
     std::optional<Standing> m_latest;
+    std::map<std::int64_t, photo::Verdict> m_early; ///< On photos that were judged beside too few.
+    std::vector<Again> m_again;
 };
 
 /// The verdict as the store keeps it.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "capture/photo_judge.h"
 #include "photographed_survey.h"
 
 #include "spherewalk/base/error.h"
@@ -121,6 +122,52 @@ TEST_F(Retakes, APhotoWithoutItsLightIsHeldAgainstNoOther) {
             std::ranges::count(verdict.findings, photo::Flaw::Brightness, &photo::Finding::flaw);
         EXPECT_EQ(light, photo.id == unlit.id ? 1 : 0) << verdict.sentence();
     }
+}
+
+// Of the first two photos nobody knows which is wrong, and the first one alone seems right.
+TEST(EarlyVerdicts, AreGivenAgainWhenAThirdPhotoTellsWhichIsWrong) {
+    test::PhotographedSurvey survey(24);
+    survey.leaveUnchecked();
+    store::SurveyStore store = survey.open(store::Access::Write);
+    const std::vector<store::PhotoRecord> photos = store.chosenPhotos();
+    const std::filesystem::path file = store.photoFolder() / photos[0].fileName;
+    RgbImage picture = jpeg::decode(readFile(file), photos[0].fileName);
+    for (std::uint8_t& value : picture.values()) {
+        value /= 2;
+    }
+    writeFile(file, jpeg::encode(picture, 95));
+    SharedStore shared(store);
+    PhotoJudge judge(shared);
+    const auto judgeNext = [&](std::size_t photo) {
+        for (std::size_t i = 0; i < photos.size(); ++i) { // Rejected photos are beside no other.
+            store.setReview(
+                {photos[i].id, i <= photo ? store::Decision::Open : store::Decision::Rejected, ""});
+        }
+        judge.judge(photos[photo].id, {});
+        return judge.takeAgain();
+    };
+    const auto flaws = [](const photo::Verdict& verdict) {
+        std::vector<photo::Flaw> result;
+        std::ranges::transform(verdict.findings, std::back_inserter(result), &photo::Finding::flaw);
+        return result;
+    };
+    const auto stored = [&](std::size_t photo) { return verdictOf(*store.verdict(photos[photo].id)); };
+    EXPECT_TRUE(judgeNext(0).empty());
+    EXPECT_TRUE(stored(0).findings.empty());
+    EXPECT_TRUE(judgeNext(1).empty());
+    EXPECT_THAT(flaws(stored(1)), testing::Contains(photo::Flaw::Brightness));
+    const std::vector<PhotoJudge::Again> again = judgeNext(2);
+    ASSERT_EQ(again.size(), 2U);
+    EXPECT_NE(again[0].before.isCompared, again[1].before.isCompared); // The first one was alone.
+    EXPECT_TRUE(again[0].verdict.isCompared);
+    EXPECT_THAT(flaws(stored(0)), testing::ElementsAre(photo::Flaw::Brightness));
+    // The world is endlessly far, so that the camera seems to stand still.
+    EXPECT_THAT(flaws(stored(1)), testing::ElementsAre(photo::Flaw::Unmoved));
+    EXPECT_THAT(flaws(stored(2)), testing::ElementsAre(photo::Flaw::Unmoved));
+    for (const PhotoJudge::Again& one : again) {
+        EXPECT_EQ(verdictOf(*store.verdict(one.photo.id)), one.verdict);
+    }
+    EXPECT_TRUE(judgeNext(3).empty()); // Once is enough.
 }
 
 TEST_F(Retakes, APhotoThatIsGoneIsFailed) {
