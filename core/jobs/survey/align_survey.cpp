@@ -297,7 +297,6 @@ class AlignRun {
         }
         throwIfStopped(m_stop);
         m_tagged = m_priors;
-        m_report.scaleSigma = scaleSigmaOf(m_tagged);
         solvePoses(0.87, 0.94);
         const auto frees = [&] {
             return m_options.checksPositions && !m_report.tagFrame.isMirrored &&
@@ -306,6 +305,7 @@ class AlignRun {
         for (double from = 0.94; from < 0.98 && frees(); from += 0.02) { // one may hide another
             solvePoses(from, from + 0.02);
         }
+        m_report.scaleSigma = scaleSigmaOf(m_tagged, m_report.alignment);
     }
 
     align::FreePlaces freePlaces(bool comparesPictures) {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace spherewalk::jobs {
@@ -240,18 +241,18 @@ void correctPositions(std::span<const align::PairEstimate> estimates,
     }
 }
 
-double scaleSigmaOf(std::span<const align::PhotoPrior> tagged) {
+double scaleSigmaOf(std::span<const align::PhotoPrior> tagged, const align::Alignment& solved) {
+    std::vector<double> weights;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    double weights = 0;
-    for (const align::PhotoPrior& photo : tagged) {
-        const double weight = std::pow(photo.positionSigmaM, -2);
-        sum += weight * photo.positionM.head<2>();
-        weights += weight;
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        const double sigmaM = std::max(tagged[i].positionSigmaM, solved.photos.at(i).sigmaOwnPositionM);
+        weights.push_back(std::pow(sigmaM, -2));
+        sum += weights.back() * tagged[i].positionM.head<2>();
     }
+    const Eigen::Vector2d middleM = sum / std::accumulate(weights.begin(), weights.end(), 0.);
     double information = 0;
-    for (const align::PhotoPrior& photo : tagged) {
-        information +=
-            (photo.positionM.head<2>() - sum / weights).squaredNorm() / std::pow(photo.positionSigmaM, 2);
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        information += weights[i] * (tagged[i].positionM.head<2>() - middleM).squaredNorm();
     }
     return information > 0 ? std::min(1 / std::sqrt(information), 1.) : 0;
 }

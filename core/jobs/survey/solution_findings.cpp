@@ -89,7 +89,7 @@ class Reading {
         }
         const JsonReader said = m_findings.isFree ? report.member("places") : report;
         if (!said.isAbsent("scale_sigma")) {
-            m_findings.scaleSigma = said.number("scale_sigma");
+            m_findings.scaleSigma = std::clamp(said.number("scale_sigma"), 0., 1.);
         }
         if (!report.isAbsent("warnings")) {
             m_findings.warnings = strings(report.member("warnings"));

@@ -75,7 +75,13 @@ TEST_F(PlacesByTags, TakeTheirFrameAndScaleFromTheTagsAndStandAsThePicturesSay) 
     EXPECT_NEAR(frame->placeM, kOffM / std::sqrt(10), 1e-3);
     EXPECT_NEAR(frame->heading.value(), kOffM / std::sqrt(10 * (0.72 + 0.1225)), 1e-2);
     EXPECT_NEAR(frame->scale, frame->heading.value(), 1e-12);
-    EXPECT_NEAR(scaleSigmaOf(tagged), kOffM / std::sqrt(10 * (0.72 + 0.1225)), 1e-2);
+    align::Alignment solved;
+    solved.photos.resize(tagged.size());
+    EXPECT_NEAR(scaleSigmaOf(tagged, solved), kOffM / std::sqrt(10 * (0.72 + 0.1225)), 1e-2);
+    for (align::SolvedPose& pose : solved.photos) {
+        pose.sigmaOwnPositionM = 2 * kOffM; // Nobody believes these tags.
+    }
+    EXPECT_NEAR(scaleSigmaOf(tagged, solved), 2 * kOffM / std::sqrt(10 * (0.72 + 0.1225)), 2e-2);
 }
 
 TEST_F(PlacesByTags, KeepTheScaleOfTheFloorWhereTheTagsKnowItWorse) {
@@ -140,7 +146,9 @@ TEST_F(PlacesByTags, SayNothingOfTagsThatAreMirroredOrLieTogether) {
     }
     EXPECT_FALSE(usePlacesByTags(m_places, mirrored));
     EXPECT_FALSE(usePlacesByTags(m_places, together));
-    EXPECT_EQ(scaleSigmaOf(together), 0);
+    align::Alignment solved;
+    solved.photos.resize(together.size());
+    EXPECT_EQ(scaleSigmaOf(together, solved), 0);
     m_places.photos.resize(5);
     m_priors.resize(5);
     EXPECT_FALSE(usePlacesByTags(m_places, m_priors));

@@ -232,7 +232,8 @@ std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
                                           std::span<align::PhotoPrior> priors);
 
 /// How well the tags' places know all lengths: a standard deviation, as a share of them; 0 for one place.
-double scaleSigmaOf(std::span<const align::PhotoPrior> tagged);
+/// Tags that the solution does not believe tell less. Shape: one photo a tag.
+double scaleSigmaOf(std::span<const align::PhotoPrior> tagged, const align::Alignment& solved);
 
 /// A turn about the vertical and then a shift along the floor.
 struct FloorMotion {
