@@ -184,7 +184,8 @@ photo::JudgedPhoto PhotoJudge::judgedBeside(const store::PhotoRecord& photo, con
 
 /// Judges those photos again that were judged too early, and are no longer alone.
 void PhotoJudge::judgeEarlyAgain(const std::vector<Near>& photos, const std::stop_token& stop) {
-    for (const auto& [record, distanceM] : photos) {
+    for (const Near& near : photos) {
+        const store::PhotoRecord& record = near.photo;
         const auto early = m_early.find(record.id);
         if (early == m_early.end()) {
             continue;

@@ -448,21 +448,30 @@ TEST(Solve, FindsHowFarTheLensesStandApart) {
     }
 }
 
+namespace {
+
+/// Photos a metre apart, whose tags are off by 40 cm.
+SyntheticSurvey roughlyTagged(int seed, int rows) {
+    SyntheticSurveyOptions options;
+    options.seed = static_cast<std::uint64_t>(seed);
+    options.columns = 4;
+    options.rows = rows;
+    options.stepM = 1;
+    options.reachM = 1.5;
+    options.roomM = {7, 5, 2.6};
+    options.positionSigmaM = 0.4;
+    options.heightSigmaM = 0.01;
+    return syntheticSurvey(options);
+}
+
+} // namespace
+
 // Tags read off a floor plan: what two photos a metre apart show of each other is known far better.
 TEST(Solve, TurnsPhotosAsTheyShowThoughTheirTagsAreHalfAMetreOff) {
     std::ptrdiff_t doubtful = 0;
     for (int seed = 1; seed <= 10; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        SyntheticSurveyOptions options;
-        options.seed = static_cast<std::uint64_t>(seed);
-        options.columns = 4;
-        options.rows = 2;
-        options.stepM = 1;
-        options.reachM = 1.5;
-        options.roomM = {7, 5, 2.6};
-        options.positionSigmaM = 0.4;
-        options.heightSigmaM = 0.01;
-        const SyntheticSurvey survey = syntheticSurvey(options);
+        const SyntheticSurvey survey = roughlyTagged(seed, 2);
         const Alignment alignment = solveSurvey(survey);
         const SurveyErrors errors = errorsOf(alignment, survey.roomFromPhoto);
         EXPECT_EQ(alignment.model, Model::Position);
@@ -479,16 +488,7 @@ TEST(Solve, TurnsPhotosAsTheyShowThoughTheirTagsAreHalfAMetreOff) {
 TEST(Solve, SaysHowFarTagsAreOffThatThePicturesContradict) {
     for (int seed = 1; seed <= 6; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        SyntheticSurveyOptions options;
-        options.seed = static_cast<std::uint64_t>(seed);
-        options.columns = 4;
-        options.rows = 3;
-        options.stepM = 1;
-        options.reachM = 1.5;
-        options.roomM = {7, 5, 2.6};
-        options.positionSigmaM = 0.4;
-        options.heightSigmaM = 0.01;
-        SyntheticSurvey survey = syntheticSurvey(options);
+        SyntheticSurvey survey = roughlyTagged(seed, 3);
         for (PhotoPrior& photo : survey.photos) {
             photo.positionSigmaM = 0.005;
         }
