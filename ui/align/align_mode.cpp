@@ -100,9 +100,8 @@ void AlignMode::setSession(SurveySession* session) {
         const SurveyState& survey = session->state();
         const bool isGuess = survey.options.areHeightsGuessed && survey.plan.placements.empty();
         m_lensHeight->setValue(isGuess ? m_lensHeight->minimum() : survey.options.heightsM.front());
-        if (survey.findings && survey.findings->positionSigmaM > 0) { // as it was said to be
-            m_positionSigma->setValue(1000 * survey.findings->positionSigmaM);
-        }
+        const double saidM = survey.findings ? survey.findings->positionSigmaM : 0;
+        m_positionSigma->setValue(1000 * (saidM > 0 ? saidM : jobs::AlignOptions().positionSigmaM));
         connect(session->selection(), &StationSelection::currentChanged, this, &AlignMode::selectStation);
     }
     showTask();

@@ -246,7 +246,7 @@ std::optional<FrameSigma> usePlacesByTags(const align::FreePlaces& places,
     std::optional<TagFit> fit = fitToTags(places, priors, 0);
     const double spreadM = fit ? radiusM(fit->photos, priors) : 0;
     FrameSigma frame;
-    frame.scale = spreadM > 0 ? fit->sigmaM / spreadM : 0;
+    frame.scale = spreadM > 0 ? std::min(fit->sigmaM / spreadM, 1.) : 0;
     if (spreadM > 0 && places.scaleBy != align::ScaleBy::Nothing && places.scaleSigma < frame.scale) {
         fit = fitToTags(places, priors, 1); // The pictures know it better.
         frame.scale = places.scaleSigma;

@@ -269,6 +269,14 @@ TEST_F(AlignModeTest, WritesNumbersAsTheLanguageDoes) {
 
 TEST_F(AlignModeTest, KnowsWhatWasSaidOfTheCamera) {
     auto& height = widget<QDoubleSpinBox>("lensHeight");
+    auto& rough = widget<QDoubleSpinBox>("positionSigma");
+    session->write(SurveySession::Solutions, [](store::SurveyStore& store) {
+        jobs::AlignReport report;
+        report.positionSigmaM = 0.5;
+        store.addSolution({"align", "position", jobs::toJson(report).dump(), {}}, true);
+    });
+    mode.setSession(session.get());
+    EXPECT_EQ(rough.value(), 500);
     EXPECT_EQ(height.value(), session->state().options.heightsM.front());
     {
         const test::TemporaryFolder folder;
@@ -279,6 +287,7 @@ TEST_F(AlignModeTest, KnowsWhatWasSaidOfTheCamera) {
         const auto walk = SurveySession::open(QString::fromStdString(path.string()));
         mode.setSession(walk.get());
         EXPECT_EQ(height.text(), "not known");
+        EXPECT_EQ(rough.value(), 5);
         mode.setSession(session.get());
     }
     EXPECT_EQ(height.value(), session->state().options.heightsM.front());
