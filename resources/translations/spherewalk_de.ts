@@ -2350,8 +2350,8 @@
         <translation>Geben Sie --distance mit zwei Fotos und den Metern dazwischen an.</translation>
     </message>
     <message>
-        <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be a quarter too long or too short.</source>
-        <translation>Niemand hat gesagt, wie hoch das Objektiv über dem Boden steht: %1 m sind geraten, und alle Längen können um ein Viertel zu lang oder zu kurz sein.</translation>
+        <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be wrong by a quarter and more.</source>
+        <translation>Niemand hat gesagt, wie hoch das Objektiv über dem Boden steht: %1 m sind geraten, und alle Längen können um ein Viertel und mehr falsch sein.</translation>
     </message>
     <message>
         <source>Give --lens-height, or --distance with two photos and the metres between them.</source>

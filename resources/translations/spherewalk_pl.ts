@@ -2360,8 +2360,8 @@
         <translation>Podaj --distance z dwoma zdjęciami i odległością między nimi w metrach.</translation>
     </message>
     <message>
-        <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be a quarter too long or too short.</source>
-        <translation>Nikt nie podał, jak wysoko nad podłogą stoi obiektyw: %1 m to przypuszczenie, a wszystkie długości mogą być o jedną czwartą za duże lub za małe.</translation>
+        <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be wrong by a quarter and more.</source>
+        <translation>Nikt nie podał, jak wysoko nad podłogą stoi obiektyw: %1 m to przypuszczenie, a wszystkie długości mogą być błędne o jedną czwartą i więcej.</translation>
     </message>
     <message>
         <source>Give --lens-height, or --distance with two photos and the metres between them.</source>

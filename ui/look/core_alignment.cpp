@@ -118,10 +118,9 @@ constexpr const char* kOfAlignments[] = {
                                                    "the floor below them, and no distance was given."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "Give --distance with two photos and the metres between them."),
-    QT_TRANSLATE_NOOP(
-        "spherewalk::ui::CoreWords",
-        "Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may "
-        "be a quarter too long or too short."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Nobody said how high the lens stands over the floor: %1 "
+                                                   "m is a guess, and all lengths may be wrong by a "
+                                                   "quarter and more."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "All lengths of the dataset are known to %1 % alone (one standard deviation): align "
                       "its survey with a "

@@ -26,7 +26,7 @@ constexpr int kLeastPoints = 20;
 constexpr double kDoubtfulSigmaM = 0.015;
 constexpr double kDoubtfulSigmaRad = 0.006;
 constexpr double kUnknownScaleSigma = 0.3;
-/// Lenses in hands, on sticks and tripods stand from 1 to 2 m high, most of them at about 1.5 m.
+/// Taken so: lenses in hands, on sticks and tripods stand from about 1 to 2 m high.
 constexpr double kGuessedScaleSigma = 0.25;
 
 /// The largest part, while it is placed.
@@ -164,15 +164,12 @@ double metresPerUnit(const Part& part, const std::optional<FloorPlane>& floor, c
         made.scaleSigma = tags.scale->sigma / tags.scale->value;
         return 1 / tags.scale->value;
     }
-    if (floor && options.isLensHeightGuessed) {
-        made.scaleBy = ScaleBy::Guess;
-        made.scaleSigma = kGuessedScaleSigma;
-        return options.lensHeightM / floor->lensHeight;
-    }
     if (floor) {
-        made.scaleBy = ScaleBy::Floor;
-        made.scaleSigma = std::hypot(options.lensHeightSigmaM / options.lensHeightM,
-                                     floor->heightSigma / floor->lensHeight, kUnevenFloor);
+        made.scaleBy = options.isLensHeightGuessed ? ScaleBy::Guess : ScaleBy::Floor;
+        made.scaleSigma = options.isLensHeightGuessed
+                              ? kGuessedScaleSigma
+                              : std::hypot(options.lensHeightSigmaM / options.lensHeightM,
+                                           floor->heightSigma / floor->lensHeight, kUnevenFloor);
         return options.lensHeightM / floor->lensHeight;
     }
     made.scaleBy = ScaleBy::Nothing;
@@ -265,10 +262,10 @@ void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made) {
             "The scale is not known: the photos show too little of the floor below them, and no distance was "
             "given. Give --distance with two photos and the metres between them.");
     } else if (made.scaleBy == ScaleBy::Guess) {
-        made.warnings.push_back(text(
-            "Nobody said how high the lens stands over the floor: ", fixed(options.lensHeightM, 2),
-            " m is a guess, and all lengths may be a quarter too long or too short. Give --lens-height, or "
-            "--distance with two photos and the metres between them."));
+        made.warnings.push_back(
+            text("Nobody said how high the lens stands over the floor: ", fixed(options.lensHeightM, 2),
+                 " m is a guess, and all lengths may be wrong by a quarter and more. Give --lens-height, or "
+                 "--distance with two photos and the metres between them."));
     }
 }
 

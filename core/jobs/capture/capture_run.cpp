@@ -90,6 +90,7 @@ void CaptureRun::judgeFetched() {
             m_store.use([&](const store::SurveyStore& survey) { return survey.station(photo.station); });
         const std::scoped_lock lock(m_mutex);
         tellIfFlawed(station.name, verdict);
+        correctEarly();
     }
 }
 
@@ -247,24 +248,26 @@ std::optional<photo::Verdict> CaptureRun::judged(const camera::ShotOutcome& outc
     const std::scoped_lock lock(m_mutex);
     m_report.secondsJudging += seconds(m_clock.now() - start);
     m_judged.insert(photo.value());
-    std::ranges::for_each(m_judge.takeAgain(), [this](const PhotoJudge::Again& again) { correct(again); });
+    correctEarly();
     return verdict;
 }
 
-/// Takes back what was said of a photo too early. Range: while m_mutex is held.
-void CaptureRun::correct(const PhotoJudge::Again& again) {
-    if (m_judged.contains(again.photo.id)) { // And is counted.
-        m_report.notCompared -= !again.before.isCompared && again.verdict.isCompared ? 1 : 0;
-        m_report.contentNotCompared -=
-            !again.before.isContentCompared && again.verdict.isContentCompared ? 1 : 0;
+/// Takes back what was said of photos too early. Range: while m_mutex is held.
+void CaptureRun::correctEarly() {
+    for (const PhotoJudge::Again& again : m_judge.takeAgain()) {
+        if (m_judged.contains(again.photo.id)) { // And is counted.
+            m_report.notCompared -= !again.before.isCompared && again.verdict.isCompared ? 1 : 0;
+            m_report.contentNotCompared -=
+                !again.before.isContentCompared && again.verdict.isContentCompared ? 1 : 0;
+        }
+        if (again.before == again.verdict) {
+            continue;
+        }
+        const std::string station = m_store.use(
+            [&](const store::SurveyStore& survey) { return survey.station(again.photo.station).name; });
+        std::erase_if(m_report.flawed, [&](const FlawedPhoto& other) { return other.station == station; });
+        tellIfFlawed(station, again.verdict);
     }
-    if (again.before == again.verdict) {
-        return;
-    }
-    const std::string station = m_store.use(
-        [&](const store::SurveyStore& survey) { return survey.station(again.photo.station).name; });
-    std::erase_if(m_report.flawed, [&](const FlawedPhoto& other) { return other.station == station; });
-    tellIfFlawed(station, again.verdict);
 }
 
 /// From both threads. isTold: the operator knows it already.

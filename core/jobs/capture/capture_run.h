@@ -151,7 +151,7 @@ class CaptureRun {
     std::optional<photo::Verdict> judged(const camera::ShotOutcome& outcome);
     void account(const camera::ShotOutcome& outcome, bool isTold = false);
     void judgeFetched();
-    void correct(const PhotoJudge::Again& again);
+    void correctEarly();
     void tellIfFlawed(const std::string& station, const photo::Verdict& verdict);
 
     SharedStore& m_store;

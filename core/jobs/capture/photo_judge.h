@@ -26,9 +26,9 @@ class PhotoJudge {
 
     /// The verdict on a photo; the store has it, too.
     ///
-    /// Cost: a third of a second for 5376 x 2688 pixels, and a fifth for each neighbour not in memory.
-    /// Errors: NotFound; those of reading the file, and of the store.
-    /// Stop: Stopped, before the photo itself is read.
+    /// Cost: a third of a second for 5376 x 2688 pixels, and a fifth for each neighbour not in memory. Once
+    /// in a photo's life it is judged again, when the second photo beside it comes in. Errors: NotFound;
+    /// those of reading the file, and of the store. Stop: Stopped, before the photo itself is read.
     photo::Verdict judge(std::int64_t photo, const std::stop_token& stop);
 
     /// A photo that was judged before others stood beside it, and again with them.

@@ -304,8 +304,6 @@ dataset::Contents contentsOf(const store::SurveyStore& store, const std::vector<
         }
         contents.photos.push_back(std::move(source));
     }
-    const auto findings = activeFindings(store);
-    contents.info.scaleSigma = findings ? findings->scaleSigma : 0;
     contents.info.sphereRadiusM = radiusFor(store, contents.photos);
     report.sphereRadiusM = contents.info.sphereRadiusM.value_or(0);
     report.rejected = store.counts().rejectedPhotos;
@@ -351,6 +349,7 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
     const std::vector<store::PhotoRecord> photos = withoutTests(exported.photos, options.testEvery);
     report.tests = static_cast<int>(countTests(exported.photos.size(), options.testEvery));
     dataset::Contents contents = contentsOf(store, photos, report);
+    contents.info.scaleSigma = exported.scaleSigma;
     const DepthCache cache(store, options);
     ProgressStep writing(progress, render::hasSurfaces(options.scene) ? 0.9 : 0, 1);
     if (render::hasSurfaces(options.scene)) {

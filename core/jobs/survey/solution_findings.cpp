@@ -191,6 +191,7 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
     std::set<std::int64_t> inDoubt; // another rotation may be right
     if (const auto findings = activeFindings(store)) {
         made.doubts = findings->tagWarnings;
+        made.scaleSigma = findings->scaleSigma;
         for (const PhotoFinding& photo : findings->photos) {
             if (photo.quality == survey::Quality::Failed) {
                 failed.insert(photo.photo);

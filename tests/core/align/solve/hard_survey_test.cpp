@@ -225,4 +225,58 @@ TEST(HardSurvey, GivesNoSigmaWhereTheWayOfTravelIsUnclear) {
     }
 }
 
+namespace {
+
+/// Photos a metre apart, whose tags are off by 40 cm.
+SyntheticSurvey roughlyTagged(int seed, int rows) {
+    SyntheticSurveyOptions options;
+    options.seed = static_cast<std::uint64_t>(seed);
+    options.columns = 4;
+    options.rows = rows;
+    options.stepM = 1;
+    options.reachM = 1.5;
+    options.roomM = {7, 5, 2.6};
+    options.positionSigmaM = 0.4;
+    options.heightSigmaM = 0.01;
+    return syntheticSurvey(options);
+}
+
+} // namespace
+
+// Tags read off a floor plan: what two photos a metre apart show of each other is known far better.
+TEST(HardSurvey, TurnsPhotosAsTheyShowThoughTheirTagsAreHalfAMetreOff) {
+    std::ptrdiff_t doubtful = 0;
+    for (int seed = 1; seed <= 10; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        const SyntheticSurvey survey = roughlyTagged(seed, 2);
+        const Alignment alignment = solveSurvey(survey);
+        const SurveyErrors errors = errorsOf(alignment, survey.roomFromPhoto);
+        EXPECT_EQ(alignment.model, Model::Position);
+        EXPECT_GE(errors.solved, 7);
+        EXPECT_LT(errors.yawWorst, Radians(Degrees(0.5)).value());
+        EXPECT_LT(std::abs(errors.commonYaw),
+                  Radians(Degrees(25)).value()); // No pair knows it, and the tags little.
+        doubtful += std::ranges::count_if(
+            alignment.photos, [](const SolvedPose& pose) { return pose.isSolved && !pose.doubt.empty(); });
+    }
+    EXPECT_LE(doubtful, 8); // Of 80, whose tags may say by chance that neighbours stand far apart.
+}
+
+// The same, but nobody says that they are rough.
+TEST(HardSurvey, SaysHowFarTagsAreOffThatThePicturesContradict) {
+    for (int seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        SyntheticSurvey survey = roughlyTagged(seed, 3);
+        for (PhotoPrior& photo : survey.photos) {
+            photo.positionSigmaM = 0.005;
+        }
+        const Alignment alignment = solveSurvey(survey);
+        EXPECT_THAT(alignment.warnings, Contains(HasSubstr("They seem to be off by about 0.")));
+        for (const SolvedPose& pose : alignment.photos) {
+            EXPECT_GT(pose.isSolved ? pose.sigmaOwnPositionM : 0.4, 0.1);
+            EXPECT_LT(pose.isSolved ? pose.sigmaOwnPositionM : 0.4, 1);
+        }
+    }
+}
+
 } // namespace spherewalk::align

@@ -73,6 +73,7 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store);
 struct PhotosToExport {
     std::vector<store::PhotoRecord> photos;
     std::vector<store::PhotoRecord> failed;
+    double scaleSigma = 0;           ///< As SolutionFindings::scaleSigma.
     std::vector<std::string> doubts; ///< Sentences: what is wrong with all places, and which photos failed.
 };
 
