@@ -1794,6 +1794,22 @@
         <translation>Lassen Sie es weg, oder nehmen Sie Fotos zwischen ihm und den anderen auf.</translation>
     </message>
     <message>
+        <source>It was taken at one place with the others, so nothing tells how far things are: take others half a metre from it.</source>
+        <translation>Es wurde am selben Ort wie die anderen aufgenommen, daher verrät nichts, wie weit die Dinge entfernt sind: Nehmen Sie weitere einen halben Meter neben ihm auf.</translation>
+    </message>
+    <message>
+        <source>Take photos between them.</source>
+        <translation>Nehmen Sie Fotos dazwischen auf.</translation>
+    </message>
+    <message>
+        <source>The other photo shares too little with it: it seems to be of another place.</source>
+        <translation>Das andere Foto hat zu wenig mit ihm gemeinsam: es scheint von einem anderen Ort zu sein.</translation>
+    </message>
+    <message>
+        <source>It is the only photo, and nothing tells how far things are: take others half a metre from it.</source>
+        <translation>Es ist das einzige Foto, und nichts verrät, wie weit die Dinge entfernt sind: Nehmen Sie weitere einen halben Meter neben ihm auf.</translation>
+    </message>
+    <message>
         <source>It belongs to part %1 of %2, which shares nothing certain with the largest part: take photos between the parts.</source>
         <translation>Es gehört zu Teil %1 von %2, der nichts Sicheres mit dem größten Teil gemeinsam hat: nehmen Sie Fotos zwischen den Teilen auf.</translation>
     </message>
@@ -2358,8 +2374,16 @@
         <translation>Geben Sie --lens-height an, oder --distance mit zwei Fotos und den Metern dazwischen.</translation>
     </message>
     <message>
-        <source>All lengths of the dataset are known to %1 % alone (one standard deviation): align its survey with a known height of the lens, or a known distance, and export it again.</source>
-        <translation>Alle Längen des Datensatzes sind nur auf %1 % bekannt (eine Standardabweichung): Richten Sie seine Vermessung mit einer bekannten Höhe des Objektivs oder einer bekannten Entfernung aus, und exportieren Sie sie neu.</translation>
+        <source>All lengths are known to %1 % alone (one standard deviation): align the survey with a known height of the lens, or a known distance, and export again.</source>
+        <translation>Alle Längen sind nur auf %1 % bekannt (eine Standardabweichung): Richten Sie die Vermessung mit einer bekannten Höhe des Objektivs oder einer bekannten Entfernung aus, und exportieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>Nobody has drawn the room: its walls are a rectangle around what the photos show.</source>
+        <translation>Niemand hat den Raum gezeichnet: Seine Wände sind ein Rechteck um das, was die Fotos zeigen.</translation>
+    </message>
+    <message>
+        <source>The world of a dataset with depth has walls as they stand.</source>
+        <translation>Die Welt eines Datensatzes mit Tiefe hat die Wände, wie sie stehen.</translation>
     </message>
     <message>
         <source>Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart.</source>

@@ -1804,6 +1804,22 @@
         <translation>Pomiń je albo zrób zdjęcia pomiędzy nim a pozostałymi.</translation>
     </message>
     <message>
+        <source>It was taken at one place with the others, so nothing tells how far things are: take others half a metre from it.</source>
+        <translation>Zrobiono je w tym samym miejscu co inne, więc nic nie mówi, jak daleko są rzeczy: zrób inne pół metra od niego.</translation>
+    </message>
+    <message>
+        <source>Take photos between them.</source>
+        <translation>Zrób zdjęcia pomiędzy nimi.</translation>
+    </message>
+    <message>
+        <source>The other photo shares too little with it: it seems to be of another place.</source>
+        <translation>Drugie zdjęcie ma z nim zbyt mało wspólnego: wydaje się pochodzić z innego miejsca.</translation>
+    </message>
+    <message>
+        <source>It is the only photo, and nothing tells how far things are: take others half a metre from it.</source>
+        <translation>To jedyne zdjęcie i nic nie mówi, jak daleko są rzeczy: zrób inne pół metra od niego.</translation>
+    </message>
+    <message>
         <source>It belongs to part %1 of %2, which shares nothing certain with the largest part: take photos between the parts.</source>
         <translation>Należy do części %1 z %2, która nie ma nic pewnego wspólnego z największą częścią: zrób zdjęcia pomiędzy częściami.</translation>
     </message>
@@ -2368,8 +2384,16 @@
         <translation>Podaj --lens-height albo --distance z dwoma zdjęciami i odległością między nimi w metrach.</translation>
     </message>
     <message>
-        <source>All lengths of the dataset are known to %1 % alone (one standard deviation): align its survey with a known height of the lens, or a known distance, and export it again.</source>
-        <translation>Wszystkie długości zbioru są znane tylko z dokładnością do %1 % (jedno odchylenie standardowe): wyrównaj jego pomiar ze znaną wysokością obiektywu lub znaną odległością i wyeksportuj ponownie.</translation>
+        <source>All lengths are known to %1 % alone (one standard deviation): align the survey with a known height of the lens, or a known distance, and export again.</source>
+        <translation>Wszystkie długości są znane tylko z dokładnością do %1 % (jedno odchylenie standardowe): wyrównaj pomiar ze znaną wysokością obiektywu lub znaną odległością i wyeksportuj ponownie.</translation>
+    </message>
+    <message>
+        <source>Nobody has drawn the room: its walls are a rectangle around what the photos show.</source>
+        <translation>Nikt nie narysował pomieszczenia: jego ściany to prostokąt wokół tego, co pokazują zdjęcia.</translation>
+    </message>
+    <message>
+        <source>The world of a dataset with depth has walls as they stand.</source>
+        <translation>Świat ze zbioru z głębią ma ściany takie, jakie stoją.</translation>
     </message>
     <message>
         <source>Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart.</source>

@@ -122,9 +122,12 @@ constexpr const char* kOfAlignments[] = {
                                                    "m is a guess, and all lengths may be wrong by a "
                                                    "quarter and more."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
-                      "All lengths of the dataset are known to %1 % alone (one standard deviation): align "
-                      "its survey with a "
-                      "known height of the lens, or a known distance, and export it again."),
+                      "All lengths are known to %1 % alone (one standard deviation): align the survey with a "
+                      "known height of the lens, or a known distance, and export again."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "Nobody has drawn the room: its walls are a rectangle around what the photos show."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The world of a dataset with depth has walls as they stand."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "Give --lens-height, or --distance with two photos and the metres between them."),
     QT_TRANSLATE_NOOP(

@@ -134,6 +134,15 @@ constexpr const char* kSentences[] = {
         "No other photo shares enough with it that a third one confirms: it seems to be of another place."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Leave it out, or take photos between it and the others."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "It was taken at one place with the others, so nothing tells how far things are: take "
+                      "others half a metre from it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Take photos between them."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
+                      "The other photo shares too little with it: it seems to be of another place."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "It is the only photo, and nothing tells how far things are: take others half a metre from it."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "It belongs to part %1 of %2, which shares nothing certain with the largest part: take "
                       "photos between the parts."),
     QT_TRANSLATE_NOOP(

@@ -423,4 +423,18 @@ std::vector<Eigen::Vector3d> meetingPoints(const Bundle& bundle, std::span<const
     return points;
 }
 
+void move(Bundle& bundle, const Eigen::Quaterniond& turned, double scale, const Eigen::Vector3d& shift) {
+    for (PhotoState& photo : bundle.photos) {
+        photo.roomFromPhoto = (turned * photo.roomFromPhoto).normalized();
+        photo.positionM = scale * (turned * photo.positionM) + shift;
+        photo.lenses.aheadM *= scale;
+    }
+    for (SeenPoint& point : bundle.points) {
+        point.at = scale * (turned * point.at) + shift;
+    }
+    for (Eigen::Vector3d& point : bundle.seen) {
+        point = scale * (turned * point) + shift;
+    }
+}
+
 } // namespace spherewalk::align

@@ -43,14 +43,25 @@ struct Adjusted {
     FreePlaces made;
 };
 
+/// Why a photo has no place that shares enough with no other one.
+std::string whyAlone(std::size_t photos) {
+    if (photos == 1) {
+        return "It is the only photo, and nothing tells how far things are: take others half a metre from "
+               "it.";
+    }
+    return photos < kChecked
+               ? "The other photo shares too little with it: it seems to be of another place. Take photos "
+                 "between them."
+               : "No other photo shares enough with it that a third one confirms: it seems to be of another "
+                 "place. Leave it out, or take photos between it and the others.";
+}
+
 /// What is said of photos outside of the largest part.
 void nameParts(const PoseGraph& graph, std::span<const PhotoPrior> priors, FreePlaces& made) {
     made.parts = static_cast<int>(graph.components.size());
     for (FreePlace& place : made.photos) {
         place.part = -1;
-        place.why =
-            "No other photo shares enough with it that a third one confirms: it seems to be of another "
-            "place. Leave it out, or take photos between it and the others.";
+        place.why = whyAlone(made.photos.size());
     }
     for (std::size_t part = 0; part < graph.components.size(); ++part) {
         for (const int photo : graph.components[part].photos) {
@@ -103,20 +114,6 @@ Part startOf(const Component& component, std::span<const PhotoPrior> priors, std
 Radians mostLean(const Part& part) {
     const auto said = std::ranges::count_if(part.priors, saysUp);
     return 2 * static_cast<std::size_t>(said) >= part.priors.size() ? Degrees(3) : Degrees(15);
-}
-
-void move(Bundle& bundle, const Eigen::Quaterniond& turned, double scale, const Eigen::Vector3d& shift) {
-    for (PhotoState& photo : bundle.photos) {
-        photo.roomFromPhoto = (turned * photo.roomFromPhoto).normalized();
-        photo.positionM = scale * (turned * photo.positionM) + shift;
-        photo.lenses.aheadM *= scale;
-    }
-    for (SeenPoint& point : bundle.points) {
-        point.at = scale * (turned * point.at) + shift;
-    }
-    for (Eigen::Vector3d& point : bundle.seen) {
-        point = scale * (turned * point) + shift;
-    }
 }
 
 /// Turns the part by its floor where the photos say little of what is level.
@@ -350,6 +347,14 @@ Adjusted adjustedBy(std::span<const PairEstimate> estimates, std::span<const Pho
         Part& part = result.part;
         adjust(part.bundle, part.priors, step, stop);
         part.bundle.seen = meetingPoints(part.bundle, part.things, part.bundle.scale);
+        if (isOnePlace(part.bundle, part.things.size())) {
+            for (const int photo : part.photos) {
+                result.made.photos[static_cast<std::size_t>(photo)].why =
+                    "It was taken at one place with the others, so nothing tells how far things are: take "
+                    "others half a metre from it.";
+            }
+            part = {};
+        }
     }
     return result;
 }

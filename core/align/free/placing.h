@@ -99,6 +99,9 @@ void adjust(Bundle& bundle, std::span<const PhotoPrior> priors, ProgressSink& pr
 std::vector<Eigen::Vector3d> meetingPoints(const Bundle& bundle, std::span<const SeenPoint> things,
                                            double scale);
 
+/// Turns, scales and shifts photos and points, in this order.
+void move(Bundle& bundle, const Eigen::Quaterniond& turned, double scale, const Eigen::Vector3d& shift);
+
 /// Turns each ray to where its photo shows what the ray's point looks like in the other photos. Detectors
 /// find a thing where its surroundings, at the photo's own scale, are brightest or darkest. So each photo
 /// sees it a bit elsewhere, and photos that see it from far are off together. The picture around the ray that
@@ -121,6 +124,10 @@ std::vector<BundleSigma> bundleSigmas(const Bundle& bundle);
 
 /// Standard deviation of how far the lenses stand ahead, in the unit of the positions.
 double lensSigma(const Bundle& bundle);
+
+/// Whether the photos stand so near to each other that nothing tells how far things are: most things show no
+/// parallax, and that of the others is the noise of their rays. things: how many there are.
+bool isOnePlace(const Bundle& bundle, std::size_t things);
 
 /// By how much floors are uneven from patch to patch, with carpets, thresholds and features above ground:
 /// standard deviation, as a share of the lens's height.

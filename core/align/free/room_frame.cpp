@@ -258,4 +258,22 @@ double ceilingAbove(std::span<const Eigen::Vector3d> photosM, std::span<const Ei
     return ceilingM;
 }
 
+bool isOnePlace(const Bundle& bundle, std::size_t things) {
+    constexpr double kLeastBaseline =
+        0.02; // Of the usual distance of things. Steps of a walk are 0.2 and more.
+    if (2 * bundle.seen.size() > things) {
+        return false;
+    }
+    const Eigen::Vector3d& first = bundle.photos.front().positionM;
+    std::vector<double> distances;
+    for (const Eigen::Vector3d& point : bundle.seen) {
+        distances.push_back((point - first).norm());
+    }
+    double farthest = 0;
+    for (const PhotoState& photo : bundle.photos) {
+        farthest = std::max(farthest, (photo.positionM - first).norm());
+    }
+    return distances.empty() || farthest < kLeastBaseline * median(std::move(distances));
+}
+
 } // namespace spherewalk::align

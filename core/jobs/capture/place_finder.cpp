@@ -136,6 +136,10 @@ PlacesFound PlaceFinder::show(store::SurveyStore& store, const PlacesSoFar& foun
             to.emplace_back(station.station.positionM.head<2>());
         }
     }
+    if (result.placed.empty() && !found.photos.empty()) {
+        result.trouble = found.places.photos.back().why;
+        return result;
+    }
     if (!store.plan().placements.empty()) {
         return result; // Its stations lie in the frame of its rails.
     }

@@ -334,6 +334,28 @@ TEST(FreePlaces, NameAnUnrelatedPhotoAndLeaveItOut) {
     EXPECT_TRUE(places.photos[5].roomFromPhoto.has_value());
 }
 
+TEST(FreePlaces, SayThatPhotosOfOnePlaceTellNoDistance) {
+    SyntheticSurveyOptions options = byHand(4);
+    options.stepM = 1e-4;
+    options.positionSigmaM = 1e-3;
+    options.heightSigmaM = 1e-3;
+    const FreePlaces places = solved(withoutPlaces(syntheticSurvey(options)));
+    for (const FreePlace& place : places.photos) {
+        EXPECT_FALSE(place.roomFromPhoto);
+        EXPECT_THAT(place.why, HasSubstr("at one place"));
+    }
+    EXPECT_TRUE(places.outline.empty());
+}
+
+TEST(FreePlaces, SayWhatIsWrongWithOnePhotoAndWithTwo) {
+    SyntheticSurvey survey = withoutPlaces(syntheticSurvey(byHand(5)));
+    survey.pairs.clear();
+    survey.photos.resize(2);
+    EXPECT_THAT(solved(survey).photos.at(0).why, HasSubstr("The other photo shares too little"));
+    survey.photos.resize(1);
+    EXPECT_THAT(solved(survey).photos.at(0).why, HasSubstr("the only photo"));
+}
+
 TEST(FreePlaces, TellPartsThatNothingConnects) {
     const SyntheticSurvey survey =
         withPairs(withoutPlaces(syntheticSurvey(byHand(6))),

@@ -30,7 +30,7 @@ class Walker : public Operator {
     }
 
     bool walkOn(int photo, const std::stop_token& stop) override {
-        return photo <= most && m_cart.walkOn(photo, stop);
+        return photo <= most && (stays || m_cart.walkOn(photo, stop));
     }
 
     bool tryAgain(const store::StationRecord& /*station*/, const camera::ShotOutcome& /*outcome*/,
@@ -41,6 +41,7 @@ class Walker : public Operator {
     void placesFound(const PlacesFound& found) override { looks.push_back(found); }
 
     int most = 6;
+    bool stays = false;
     std::vector<PlacesFound> looks;
 
   private:
@@ -112,6 +113,19 @@ TEST_F(CaptureByHand, ShowsWherePhotosWereTakenAndTheRoomAroundThem) {
     EXPECT_NE(m_store->room().outline, survey::unknownRoom().outline);
     EXPECT_TRUE(photosToExport(*m_store).photos.empty());
     EXPECT_TRUE(checkPlaces(*m_store, noProgress(), {}).empty());
+}
+
+TEST_F(CaptureByHand, TellsWhoStaysAtOnePlaceAndMakesNoRoomOfIt) {
+    Walker walker(endpoint());
+    walker.most = 3;
+    walker.stays = true;
+    const CaptureSurveyReport report = walk(walker);
+    EXPECT_EQ(report.taken, 3);
+    EXPECT_TRUE(report.flawed.empty()) << report.flawed.front().verdict.sentence();
+    ASSERT_TRUE(report.places);
+    EXPECT_TRUE(report.places->placed.empty());
+    EXPECT_THAT(report.places->sentence(), HasSubstr("It was taken at one place with the others"));
+    EXPECT_EQ(m_store->room().outline, survey::unknownRoom().outline);
 }
 
 TEST_F(CaptureByHand, GoesOnAfterAnAlignmentInItsFrame) {
