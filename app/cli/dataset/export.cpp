@@ -151,7 +151,7 @@ Result exportForeign(const ExportArguments& options, const store::SurveyStore& s
 
 Result exportWorld(const ExportArguments& options, jobs::WorldFormat format, Context& context) {
     const CameraIntrinsics camera = cameraOf(options);
-    dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM);
+    dataset::WorldRoom room = jobs::worldRoomOf(options.survey, options.obstacleHeightM, context.progress);
     room.validate();
     if (options.withPlugin) {
         room.pluginDataset = std::filesystem::relative(options.survey, options.dataset).string();

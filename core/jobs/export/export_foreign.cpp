@@ -12,6 +12,7 @@
 #include "spherewalk/dataset/world_file.h"
 #include "spherewalk/geometry/rotation.h"
 #include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/jpeg/jpeg.h"
 #include "spherewalk/place/surface_files.h"
 #include "spherewalk/render/camera_info.h"
@@ -262,12 +263,13 @@ struct KnownRoom {
     double ceilingM = 0;
     std::vector<Polygon> obstacles;
     std::vector<Eigen::Vector3d> places; ///< Of photos, or of stations.
+    double scaleSigma = 0;               ///< Of all lengths, as a share of them.
 };
 
 KnownRoom roomOfDataset(const std::filesystem::path& folder) {
     const render::Dataset opened = render::Dataset::open(folder);
     const render::DatasetInfo& info = opened.info();
-    KnownRoom room{info.name, info.outline, 0, info.ceilingM, info.obstacles, {}};
+    KnownRoom room{info.name, info.outline, 0, info.ceilingM, info.obstacles, {}, info.scaleSigma};
     if (info.roomShape) {
         room.outline = info.roomShape->outline;
         room.floorM = info.roomShape->floorM;
@@ -279,7 +281,7 @@ KnownRoom roomOfDataset(const std::filesystem::path& folder) {
     return room;
 }
 
-KnownRoom roomOfSurvey(const std::filesystem::path& folder) {
+KnownRoom roomOfSurvey(const std::filesystem::path& folder, ProgressSink& progress) {
     const auto store = store::SurveyStore::open(folder, store::Access::Read);
     const survey::Room drawn = store.knownRoom();
     if (drawn.outline.empty()) {
@@ -288,13 +290,20 @@ KnownRoom roomOfSurvey(const std::filesystem::path& folder) {
                          ": nobody has drawn its room, and its photos have not shown it. Export it with "
                          "--scene depth and make the world of that dataset, or draw the room in Plan."));
     }
-    KnownRoom room{store.info().name, drawn.outline, 0, drawn.ceilingM, drawn.obstacles, {}};
-    for (const store::PhotoRecord& photo : store.keptPhotos()) {
+    if (store.plan().placements.empty() && store.roomOrigin() == store::RoomOrigin::Solved) {
+        progress.warning("Nobody has drawn the room: its walls are a rectangle around what the photos show. "
+                         "The world of a dataset with depth has walls as they stand.");
+    }
+    const PhotosToExport kept = photosToExport(store);
+    KnownRoom room{store.info().name, drawn.outline, 0, drawn.ceilingM, drawn.obstacles, {}, kept.scaleSigma};
+    for (const store::PhotoRecord& photo : kept.photos) {
         room.places.push_back(photo.positionM);
     }
     if (room.places.empty()) {
         for (const store::StationRecord& station : store.stations()) {
-            room.places.push_back(station.station.positionM);
+            if (station.isPlaceKnown) {
+                room.places.push_back(station.station.positionM);
+            }
         }
     }
     return room;
@@ -337,13 +346,15 @@ dataset::TextFile worldFile(const dataset::WorldRoom& room, const CameraIntrinsi
 
 } // namespace
 
-dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder, double obstacleHeightM) {
-    const KnownRoom known =
-        std::filesystem::exists(folder / render::kDatasetFile) ? roomOfDataset(folder) : roomOfSurvey(folder);
+dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder, double obstacleHeightM,
+                               ProgressSink& progress) {
+    const bool isDataset = std::filesystem::exists(folder / render::kDatasetFile);
+    const KnownRoom known = isDataset ? roomOfDataset(folder) : roomOfSurvey(folder, progress);
     if (known.places.empty()) {
         throw Error(ErrorKind::InvalidInput,
                     text("No place for the robot's camera is known: ", folder.string(), " has no stations."));
     }
+    tellScale(known.scaleSigma, progress);
     dataset::WorldRoom room{known.name, known.outline, known.floorM, known.ceilingM, startIn(known), {}};
     for (const Polygon& obstacle : known.obstacles) {
         if (!isInTheWay(obstacle, room.cameraAt)) {

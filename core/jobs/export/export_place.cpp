@@ -46,16 +46,7 @@ class PlaceExport {
           m_options(options),
           m_stop(stop) {}
 
-    /// A survey's own export says why.
-    void tellScale(ProgressSink& progress) const {
-        constexpr double kToldSigma = 0.05;
-        if (m_dataset.info().scaleSigma >= kToldSigma) {
-            progress.warning(
-                text("All lengths of the dataset are known to ", fixed(100 * m_dataset.info().scaleSigma, 0),
-                     " % alone (one standard deviation): align its survey with a known height of the "
-                     "lens, or a known distance, and export it again."));
-        }
-    }
+    double scaleSigma() const { return m_dataset.info().scaleSigma; }
 
     PlaceReport run(const fs::path& folder, ProgressSink& progress) {
         ProgressStep finding(progress, 0, 0.8);
@@ -277,6 +268,15 @@ void PlaceOptions::validate() const {
     }
 }
 
+void tellScale(double sigma, ProgressSink& progress) {
+    constexpr double kToldSigma = 0.05;
+    if (sigma >= kToldSigma) {
+        progress.warning(text("All lengths are known to ", fixed(100 * sigma, 0),
+                              " % alone (one standard deviation): align the survey with a known height of "
+                              "the lens, or a known distance, and export again."));
+    }
+}
+
 PlaceReport exportPlace(const fs::path& source, const fs::path& folder, const PlaceOptions& options,
                         ProgressSink& progress, const std::stop_token& stop) {
     options.validate();
@@ -286,8 +286,8 @@ PlaceReport exportPlace(const fs::path& source, const fs::path& folder, const Pl
     const SourceDataset dataset = sourceOf(source, exporting, stop);
     ProgressStep placing(progress, dataset.path() == source ? 0 : 0.6, 1);
     PlaceExport place(dataset.path(), options, stop);
-    if (dataset.path() == source) {
-        place.tellScale(placing);
+    if (dataset.path() == source) { // a survey's own export says why
+        tellScale(place.scaleSigma(), placing);
     }
     PlaceReport report;
     makeFolder(folder, "the export",
@@ -319,7 +319,6 @@ Furniture furnitureOf(const fs::path& dataset, const render::RoomShape& room, co
     room.validate();
     options.validate();
     PlaceExport place(dataset, options, stop);
-    place.tellScale(progress);
     return place.furniture(room, progress);
 }
 

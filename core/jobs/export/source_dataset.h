@@ -36,4 +36,7 @@ class SourceDataset {
     double m_depthSeconds = 0;
 };
 
+/// Warns of lengths that are hardly known. sigma: as DatasetInfo::scaleSigma.
+void tellScale(double sigma, ProgressSink& progress);
+
 } // namespace spherewalk::jobs

@@ -2,11 +2,13 @@
 #include "expect_error.h"
 #include "made_survey.h"
 #include "photographed_survey.h"
+#include "warnings.h"
 
 #include "spherewalk/base/json.h"
 #include "spherewalk/dataset/world_file.h"
 #include "spherewalk/jobs/export_dataset.h"
 #include "spherewalk/jobs/export_foreign.h"
+#include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/photo/picture_file.h"
 #include "spherewalk/render/camera_info.h"
 #include "spherewalk/render/dataset.h"
@@ -175,6 +177,37 @@ TEST(WorldRoom, OfASurveyWithoutPhotosBeginsAtAStation) {
     EXPECT_TRUE(std::any_of(stations.begin(), stations.end(), [&](const store::StationRecord& station) {
         return station.station.positionM == room.cameraAt;
     }));
+}
+
+TEST(WorldRoom, DoesNotBeginAtAPhotoThatNobodyKnowsThePlaceOf) {
+    const test::PhotographedSurvey survey{2};
+    const Eigen::Vector3d before = worldRoomOf(survey.path()).cameraAt;
+    std::filesystem::create_directories(survey / "more");
+    for (int i = 0; i < 4; ++i) {
+        RgbImage picture(512, 256);
+        std::ranges::fill(picture.values(), static_cast<std::uint8_t>(60 + 30 * i));
+        writeFile(survey / "more" / text("M", i, ".JPG"), jpeg::encode(picture, 90));
+    }
+    auto store = survey.open(store::Access::Write);
+    EXPECT_EQ(importPhotos(store, {survey / "more", {}}, noProgress(), {}).unknownPlaces, 4);
+    test::Warnings warnings;
+    EXPECT_EQ(worldRoomOf(survey.path(), kObstacleHeightM, warnings).cameraAt, before);
+    EXPECT_TRUE(warnings.sentences.empty()) << "the room was drawn";
+}
+
+TEST(WorldRoom, SaysThatNobodyHasDrawnItsWalls) {
+    const test::TemporaryFolder folder;
+    {
+        auto store = store::SurveyStore::create(folder / "h.spherewalk", "h", survey::unknownRoom(), {}, {});
+        survey::Room room;
+        room.outline = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+        room.ceilingM = 2.5;
+        store.replaceRoom(room, store::RoomOrigin::Solved);
+        store.addStation({1, 1, 1.2});
+    }
+    test::Warnings warnings;
+    EXPECT_EQ(worldRoomOf(folder / "h.spherewalk", kObstacleHeightM, warnings).outline.size(), 4U);
+    EXPECT_THAT(warnings.sentences, testing::ElementsAre(HasSubstr("Nobody has drawn the room")));
 }
 
 TEST(WorldRoom, OfADatasetIsThatOfTheSurveyThatItWasMadeOf) {

@@ -5,6 +5,7 @@
 #include "test_dataset.h"
 #include "warnings.h"
 
+#include "spherewalk/jobs/export_foreign.h"
 #include "spherewalk/jobs/export_place.h"
 
 #include <gmock/gmock.h>
@@ -122,6 +123,9 @@ TEST_F(ExportPlace, TellsThatLengthsAreHardlyKnown) {
     test::rewriteInfo(dataset(), info);
     test::Warnings warnings;
     exportPlace(dataset(), folder / "out", options, warnings, {});
+    EXPECT_THAT(warnings.sentences, testing::ElementsAre(testing::HasSubstr("known to 25 % alone")));
+    warnings.sentences.clear();
+    worldRoomOf(dataset(), kObstacleHeightM, warnings);
     EXPECT_THAT(warnings.sentences, testing::ElementsAre(testing::HasSubstr("known to 25 % alone")));
 }
 

@@ -67,11 +67,12 @@ inline constexpr double kObstacleHeightM = 0.75;
 
 /// The room of the survey or of the dataset in this folder. The robot's camera begins at the photo nearest to
 /// the middle of all photos at which the robot stands in no obstacle; a survey without photos takes its
-/// stations instead. Obstacles in which the robot would have to begin are left out.
+/// stations instead. Photos whose place is not known have no say. Obstacles in which the robot would have to
+/// begin are left out. Lengths that are hardly known, and walls that nobody drew, are warned of.
 /// Errors: those of opening the folder; InvalidInput for a folder without photos and stations; NotFound for a
 /// survey whose room nobody drew and no photos show.
-dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder,
-                               double obstacleHeightM = kObstacleHeightM);
+dataset::WorldRoom worldRoomOf(const std::filesystem::path& folder, double obstacleHeightM = kObstacleHeightM,
+                               ProgressSink& progress = noProgress());
 
 /// What a world is written for.
 enum class WorldFormat {
