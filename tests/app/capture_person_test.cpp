@@ -188,4 +188,17 @@ TEST(StatusCommand, TellsAPictureThatNobodyWaitsForFromAnInterruptedShot) {
     EXPECT_EQ(json["pictures_not_needed"], 1);
 }
 
+TEST(StatusCommand, SaysHowManyPhotosAreAligned) {
+    const test::PhotographedSurvey survey(2); // imported with their rotations
+    std::filesystem::create_directories(survey / "more");
+    RgbImage picture(512, 256);
+    writeFile(survey / "more/M1.JPG", jpeg::encode(picture, 90));
+    ASSERT_EQ(runCli({"import", survey.path().string(), "--photos", (survey / "more").string()}).status, 0);
+    EXPECT_THAT(runCli({"status", survey.path().string()}).output, HasSubstr("2 good, 1 not aligned yet."));
+    const Json json = runCli({"status", survey.path().string(), "--json"}).json();
+    EXPECT_EQ(json["aligned"], (Json{{"good", 2}, {"doubtful", 0}, {"failed", 0}, {"not_aligned", 1}}));
+    const CliResult plan = runCli({"plan", survey.path().string(), "--json"});
+    EXPECT_TRUE(plan.json()["station_list"].back()["position_m"].is_null());
+}
+
 } // namespace spherewalk

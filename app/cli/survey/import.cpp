@@ -22,10 +22,13 @@ Result importPictures(const ImportArguments& options, Context& context) {
     const jobs::ImportReport report =
         jobs::importPhotos(store, options.import, context.progress, context.stop);
     return {jobs::toJson(report),
-            text("Imported ", report.imported, " photos, ", report.withRotation, " with a rotation; ",
-                 report.alreadyThere, " were there already; ", report.newStations,
-                 " stations were added for places that were not planned.",
-                 report.moved == 0 ? "" : text(" ", report.moved, " were moved to another place."),
+            text("Imported ", counted(report.imported, "photo", "photos"), ", ", report.withRotation,
+                 " with a rotation; ", counted(report.alreadyThere, "was", "were"), " there already; ",
+                 counted(report.newStations, "station was", "stations were"),
+                 " added for places that were not planned.",
+                 report.moved == 0
+                     ? ""
+                     : text(" ", counted(report.moved, "was", "were"), " moved to another place."),
                  report.unknownPlaces > 0 ? " Where they were taken, align --positions free solves."
                  : report.imported == 0
                      ? ""

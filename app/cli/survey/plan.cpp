@@ -47,9 +47,13 @@ std::string reasonLine(const survey::PlanReport& report, survey::UncoveredReason
     return text("\n  ", fixed(areaM2, 2), " m2 ", where, ": ", survey::reasonText(reason, options));
 }
 
-std::string planText(const survey::PlanReport& report, const survey::PlanOptions& options) {
+std::string planText(const survey::PlanReport& report, const survey::PlanOptions& options,
+                     std::ptrdiff_t unknownPlaces = 0) {
     if (report.placements == 0) {
-        return text(report.stations, " places, on no rail. ",
+        return text(counted(static_cast<std::size_t>(report.stations), "place", "places"), ", on no rail",
+                    unknownPlaces > 0 ? text("; ", counted(unknownPlaces, "is", "are"), " not known for sure")
+                                      : "",
+                    ". ",
                     report.floorM2 > 0 ? text("Floor ", fixed(report.floorM2, 2), " m2.")
                                        : "Nobody has drawn the room, and no photos have shown it.");
     }
@@ -200,7 +204,9 @@ Result shownPlan(const PlanArguments& options) {
         report = survey::report(known, planOptions, plan);
     }
     Json json = planJson(report, planOptions);
-    std::string words = planText(report, planOptions);
+    const std::vector<store::StationRecord> stations = store.stations();
+    const auto unknown = std::ranges::count(stations, false, &store::StationRecord::isPlaceKnown);
+    std::string words = planText(report, planOptions, unknown);
     Json rails = Json::array();
     const survey::RoomParts parts(store.room());
     const std::vector<std::size_t> rooms = parts.ofRails(plan);
@@ -216,13 +222,14 @@ Result shownPlan(const PlanArguments& options) {
         words += options.list ? railLine(i + 1, rail) + (room.empty() ? "" : text(", ", room)) : "";
     }
     json["rails"] = rails;
-    Json stations = Json::array();
-    for (const store::StationRecord& station : store.stations()) {
+    Json list = Json::array();
+    for (const store::StationRecord& station : stations) {
         const Eigen::Vector3d& p = station.station.positionM;
-        stations.push_back(
-            {{"id", station.id}, {"name", station.name}, {"position_m", {p.x(), p.y(), p.z()}}});
+        list.push_back({{"id", station.id},
+                        {"name", station.name},
+                        {"position_m", station.isPlaceKnown ? Json({p.x(), p.y(), p.z()}) : Json()}});
     }
-    json["station_list"] = stations;
+    json["station_list"] = list;
     if (!options.sheet.empty()) {
         if (known.outline.empty()) {
             throw Error(

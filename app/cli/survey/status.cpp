@@ -4,6 +4,7 @@
 #include "spherewalk/base/json.h"
 #include "spherewalk/base/text.h"
 #include "spherewalk/jobs/check_places.h"
+#include "spherewalk/jobs/solution_findings.h"
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -22,17 +23,40 @@ std::size_t picturesNotNeeded(const store::SurveyStore& store) {
     }));
 }
 
+/// How many photos the active solution calls "good", "doubtful" and "failed", and how many came after it.
+struct SolvedCounts {
+    explicit SolvedCounts(const jobs::SolutionFindings& findings) {
+        for (const auto quality :
+             {survey::Quality::Good, survey::Quality::Doubtful, survey::Quality::Failed}) {
+            add(std::ranges::count(findings.photos, quality, &jobs::PhotoFinding::quality), name(quality),
+                name(quality));
+        }
+        const auto isLater = [](const jobs::PhotoFinding& photo) { return !photo.quality; };
+        add(std::ranges::count_if(findings.photos, isLater), "not_aligned", "not aligned yet");
+    }
+
+    void add(std::ptrdiff_t count, std::string_view key, std::string_view what) {
+        json[std::string(key)] = count;
+        words += count > 0 ? text(words.empty() ? "" : ", ", count, " ", what) : "";
+    }
+
+    Json json;
+    std::string words;
+};
+
 Result status(const std::string& survey) {
     const auto store = store::SurveyStore::open(survey, store::Access::Read);
     const store::Counts counts = store.counts();
-    const auto solution = store.activeSolution();
+    const auto solution = jobs::activeFindings(store);
     const auto missing = store.stationsWithoutPhoto();
     std::string words = text(store.info().name, ": ", counts.stationsWithPhoto, " of ", counts.stations,
                              " stations have a photo (", counts.photos, " photos).");
     words += missing.empty() ? "" : text("\nNext: ", missing.front().name, ".");
-    words += counts.rejectedPhotos == 0
-                 ? ""
-                 : text("\n", counts.rejectedPhotos, " photos were rejected and are to be taken again.");
+    words += counts.rejectedPhotos == 0 ? ""
+                                        : text("\n",
+                                               counted(counts.rejectedPhotos, "photo was rejected and is",
+                                                       "photos were rejected and are"),
+                                               " to be taken again.");
     const std::size_t notNeeded = picturesNotNeeded(store);
     if (const auto interrupted = static_cast<std::size_t>(counts.openShots) - notNeeded; interrupted > 0) {
         words += text(
@@ -47,16 +71,17 @@ Result status(const std::string& survey) {
                           "pictures were never fetched, and their stations have other photos: shots lists "
                           "them, and closes them with --give-up."));
     }
-    words += counts.unclearShots == 0
-                 ? ""
-                 : text("\n", counts.unclearShots, " shots need a person's decision, which shots takes:");
+    words += counts.unclearShots == 0 ? ""
+                                      : text("\n", counted(counts.unclearShots, "shot needs", "shots need"),
+                                             " a person's decision, which shots takes:");
     Json unclear = Json::array();
     for (const survey::Shot& shot : store.unclearShots()) {
         const std::string name = store.station(shot.station).name;
         words += text("\n  ", name, ": ", shot.note);
         unclear.push_back({{"station", name}, {"note", shot.note}});
     }
-    words += solution ? text("\nRotations: ", solution->source, " (", solution->model, ").")
+    words += solution ? text("\nRotations: ", solution->solution.source, " (", solution->solution.model,
+                             "): ", SolvedCounts(*solution).words, ".")
                       : "\nRotations: none yet.";
     const std::string profile = survey::profileText(store.captureProfile());
     words += text("\nThe camera is set: ", profile, ".");
@@ -71,7 +96,8 @@ Result status(const std::string& survey) {
              {"open_shots", counts.openShots},
              {"pictures_not_needed", notNeeded},
              {"unclear_shots", unclear},
-             {"solution", solution ? Json(solution->source) : Json()}},
+             {"solution", solution ? Json(solution->solution.source) : Json()},
+             {"aligned", solution ? SolvedCounts(*solution).json : Json()}},
             words};
 }
 
@@ -103,7 +129,9 @@ Result checkSurvey(const std::string& path, Context& context) {
     Json findings = Json::array();
     std::string words = text("Checked ", check.photosChecked, " photos and the database of ", path, ": ");
     words += isSound ? "all is as it was recorded."
-                     : text(check.photos.size() + check.database.size() + places.size(), " findings.");
+                     : text(counted(check.photos.size() + check.database.size() + places.size(), "finding",
+                                    "findings"),
+                            ".");
     const auto add = [&](const std::string& sentence) {
         findings.push_back(sentence);
         words += text("\n  ", sentence);

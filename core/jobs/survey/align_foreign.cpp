@@ -89,7 +89,9 @@ void tellForeignThings(const std::filesystem::path& folder, const align::Foreign
             propose(Cure::Retake, report.photos[at]);
         }
     }
-    report.notSearched = static_cast<std::size_t>(std::ranges::count(check.isJudged, false));
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        report.notSearched += report.alignment.photos[i].isSolved && !check.isJudged[i] ? 1 : 0;
+    }
 }
 
 } // namespace spherewalk::jobs

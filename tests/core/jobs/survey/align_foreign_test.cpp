@@ -111,6 +111,13 @@ TEST_F(AlignForeign, SearchesNoPhotoWhosePoseIsUnsure) {
     EXPECT_EQ(report.notSearched, kPhotos);
 }
 
+TEST_F(AlignForeign, SpeaksOfNoPersonsInAPhotoThatIsNotPlaced) {
+    report.alignment.photos[0].isSolved = false;
+    tell();
+    EXPECT_THAT(flagged(), ElementsAre(kWithPerson));
+    EXPECT_EQ(report.notSearched, 0U);
+}
+
 TEST_F(AlignForeign, LeavesOutAPhotoThatCannotBeRead) {
     writeFile(folder / "R0.JPG", bytesOf("no picture"));
     tell();

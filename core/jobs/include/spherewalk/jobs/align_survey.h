@@ -130,8 +130,8 @@ struct AlignReport {
     std::size_t holdingPairs = 0;            ///< Number of pairs that constrain the solution.
     /// Number of comparisons with more effort than was asked for, because parts were not joined.
     std::size_t pairsTriedAgain = 0;
-    /// Number of photos that were not searched for persons: their pose, or that of all photos near them, is
-    /// not known well enough.
+    /// Number of placed photos that were not searched for persons: their pose, or that of all photos near
+    /// them, is not known well enough.
     std::size_t notSearched = 0;
     double featureSeconds = 0;
     double matchSeconds = 0; ///< Time for matching, and for the estimate of each pair.
