@@ -2122,8 +2122,12 @@
         <translation>Nichts gibt den Maßstab.</translation>
     </message>
     <message>
-        <source>Where the photos were taken is not known yet: %1</source>
-        <translation>Wo die Fotos aufgenommen wurden, ist noch nicht bekannt: %1</translation>
+        <source>Where the photos were taken is not known yet.</source>
+        <translation>Wo die Fotos aufgenommen wurden, ist noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Of the last photo: %1</source>
+        <translation>Zum letzten Foto: %1</translation>
     </message>
     <message>
         <source>The position tags are stated to be too rough for any other.</source>

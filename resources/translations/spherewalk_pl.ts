@@ -2132,8 +2132,12 @@
         <translation>Nic nie daje skali.</translation>
     </message>
     <message>
-        <source>Where the photos were taken is not known yet: %1</source>
-        <translation>Nie wiadomo jeszcze, gdzie zrobiono zdjęcia: %1</translation>
+        <source>Where the photos were taken is not known yet.</source>
+        <translation>Nie wiadomo jeszcze, gdzie zrobiono zdjęcia.</translation>
+    </message>
+    <message>
+        <source>Of the last photo: %1</source>
+        <translation>O ostatnim zdjęciu: %1</translation>
     </message>
     <message>
         <source>The position tags are stated to be too rough for any other.</source>

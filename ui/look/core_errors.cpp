@@ -102,7 +102,8 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
         "The camera could not be told that it may sleep again; switch it off and on if it is not used soon."),
-    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Where the photos were taken is not known yet: %1"),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Where the photos were taken is not known yet."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Of the last photo: %1"),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
         "The downloaded photo changed on the disk before it was recorded; the next run downloads it again."),

@@ -31,7 +31,7 @@ FloorMotion motionToShown(const std::vector<Eigen::Vector2d>& places,
 
 std::string PlacesFound::sentence() const {
     if (!trouble.empty()) {
-        return text("Where the photos were taken is not known yet: ", trouble);
+        return text("Where the photos were taken is not known yet. ", trouble);
     }
     if (photos == 0) {
         return "No place is known yet.";
@@ -137,7 +137,7 @@ PlacesFound PlaceFinder::show(store::SurveyStore& store, const PlacesSoFar& foun
         }
     }
     if (result.placed.empty() && !found.photos.empty()) {
-        result.trouble = found.places.photos.back().why;
+        result.trouble = text("Of the last photo: ", found.places.photos.back().why);
         return result;
     }
     if (!store.plan().placements.empty()) {

@@ -124,7 +124,8 @@ TEST_F(CaptureByHand, TellsWhoStaysAtOnePlaceAndMakesNoRoomOfIt) {
     EXPECT_TRUE(report.flawed.empty()) << report.flawed.front().verdict.sentence();
     ASSERT_TRUE(report.places);
     EXPECT_TRUE(report.places->placed.empty());
-    EXPECT_THAT(report.places->sentence(), HasSubstr("It was taken at one place with the others"));
+    EXPECT_THAT(report.places->sentence(),
+                HasSubstr("Of the last photo: It was taken at one place with the others"));
     EXPECT_EQ(m_store->room().outline, survey::unknownRoom().outline);
 }
 
