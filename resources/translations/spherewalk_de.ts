@@ -2478,6 +2478,18 @@
         <translation>%1 Fotos werden ausgelassen, weil die Ausrichtung keine sichere Lage fand: %2.</translation>
     </message>
     <message>
+        <source>1 photo is left out, since nobody knows where it was taken: %1.</source>
+        <translation>1 Foto wird ausgelassen, weil niemand weiß, wo es aufgenommen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>%1 photos are left out, since nobody knows where they were taken: %2.</source>
+        <translation>%1 Fotos werden ausgelassen, weil niemand weiß, wo sie aufgenommen wurden: %2.</translation>
+    </message>
+    <message>
+        <source>Aligning from the pictures alone finds that out.</source>
+        <translation>Das Ausrichten allein nach den Bildern findet es heraus.</translation>
+    </message>
+    <message>
         <source>Look at what the alignment says of each, mend it, and align again.</source>
         <translation>Sehen Sie sich an, was die Ausrichtung von jedem sagt, beheben Sie es, und richten Sie noch einmal aus.</translation>
     </message>

@@ -2488,6 +2488,18 @@
         <translation>Pominięto %1 zdjęć, bo orientacja nie znalazła dla nich pewnej pozy: %2.</translation>
     </message>
     <message>
+        <source>1 photo is left out, since nobody knows where it was taken: %1.</source>
+        <translation>Pominięto 1 zdjęcie, bo nikt nie wie, gdzie je zrobiono: %1.</translation>
+    </message>
+    <message>
+        <source>%1 photos are left out, since nobody knows where they were taken: %2.</source>
+        <translation>Pominięto %1 zdjęć, bo nikt nie wie, gdzie je zrobiono: %2.</translation>
+    </message>
+    <message>
+        <source>Aligning from the pictures alone finds that out.</source>
+        <translation>Orientacja z samych zdjęć to ustali.</translation>
+    </message>
+    <message>
         <source>Look at what the alignment says of each, mend it, and align again.</source>
         <translation>Zobacz, co orientacja mówi o każdym, popraw to i zorientuj ponownie.</translation>
     </message>

@@ -89,6 +89,7 @@ constexpr CuredSentence kCured[] = {
      Cure::Capture},
     {"It is upside down against its neighbours; put the camera upright and take it again.", Cure::Capture},
     {"No photo is left to export; capture some first, or accept some.", Cure::Capture},
+    {"Aligning from the pictures alone finds that out.", Cure::Align},
     {"The survey is not aligned: photos would be exported as if each looked along the room's x axis; align "
      "it "
      "first.",

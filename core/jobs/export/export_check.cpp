@@ -48,7 +48,10 @@ class Look {
         countRegions();
         lookAtPlace(folder);
         lookAtStations();
-        lookAtRotations();
+        if (!m_photos.empty()) {
+            m_check.doubts.insert(m_check.doubts.end(), m_exported.doubts.begin(), m_exported.doubts.end());
+            lookAtRotations();
+        }
         progress.progress(1, "Checked");
         return std::move(m_check);
     }
@@ -57,7 +60,9 @@ class Look {
     /// On the photo of median size.
     void measure(const std::stop_token& stop) {
         if (m_photos.empty()) {
-            m_check.obstacles.emplace_back("No photo is left to export; capture some first, or accept some.");
+            m_check.obstacles.push_back(
+                m_exported.failed.empty() ? "No photo is left to export; capture some first, or accept some."
+                                          : m_exported.doubts.back());
             return;
         }
         std::vector<store::PhotoRecord> bySize = m_photos;
@@ -138,7 +143,6 @@ class Look {
                 "axis; align it first.");
             return;
         }
-        m_check.doubts.insert(m_check.doubts.end(), m_exported.doubts.begin(), m_exported.doubts.end());
         std::set<std::int64_t> solved;
         std::set<std::int64_t> doubtful;
         for (const store::SolvedPhoto& photo : m_store.solvedPhotos(solution->id)) {

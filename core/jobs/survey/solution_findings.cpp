@@ -185,6 +185,24 @@ std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store) 
     return reading.done();
 }
 
+namespace {
+
+/// The first ones by name, and how many there are.
+struct Named {
+    static constexpr std::size_t kMostNames = 20;
+
+    std::string names;
+    std::size_t count = 0;
+
+    void add(std::string_view name) {
+        if (++count <= kMostNames + 1) {
+            names += text(count == 1 ? "" : ", ", count <= kMostNames ? name : "...");
+        }
+    }
+};
+
+} // namespace
+
 PhotosToExport photosToExport(const store::SurveyStore& store) {
     PhotosToExport made;
     std::set<std::int64_t> failed;
@@ -200,31 +218,37 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
             }
         }
     }
-    std::string names;
-    std::string turned;
-    std::size_t turnedCount = 0;
+    Named turned;
+    Named unplaced;
+    Named unsolved;
     for (store::PhotoRecord& photo : store.keptPhotos()) {
         const store::StationRecord station = store.station(photo.station);
-        const std::string name = store::photoAtStation(photo.fileName, station.name);
-        if (!failed.contains(photo.id) && station.isPlaceKnown) {
-            if (inDoubt.contains(photo.id)) {
-                turned += text(turnedCount++ == 0 ? "" : ", ", name);
-            }
-            made.photos.push_back(std::move(photo));
-            continue;
+        const bool isFailed = failed.contains(photo.id);
+        const bool isLeftOut = isFailed || !station.isPlaceKnown;
+        if (isLeftOut || inDoubt.contains(photo.id)) {
+            (isFailed    ? unsolved
+             : isLeftOut ? unplaced
+                         : turned)
+                .add(store::photoAtStation(photo.fileName, station.name));
         }
-        names += text(made.failed.empty() ? "" : ", ", name);
-        made.failed.push_back(std::move(photo));
+        (isLeftOut ? made.failed : made.photos).push_back(std::move(photo));
     }
-    if (turnedCount > 0) {
-        made.doubts.push_back(text("How ", counted(turnedCount, "photo is", "photos are"),
-                                   " turned is not known: ", turned,
+    if (turned.count > 0) {
+        made.doubts.push_back(text("How ", counted(turned.count, "photo is", "photos are"),
+                                   " turned is not known: ", turned.names,
                                    ". Look at what the alignment says of each, mend it, and align again."));
     }
-    if (!made.failed.empty()) {
-        made.doubts.push_back(text(counted(made.failed.size(), "photo is", "photos are"),
-                                   " left out, since the alignment found no pose that holds: ", names,
-                                   ". Look at what the alignment says of each, mend it, and align again."));
+    if (unplaced.count > 0) {
+        made.doubts.push_back(
+            text(counted(unplaced.count, "photo is left out, since nobody knows where it was taken: ",
+                         "photos are left out, since nobody knows where they were taken: "),
+                 unplaced.names, ". Aligning from the pictures alone finds that out."));
+    }
+    if (unsolved.count > 0) {
+        made.doubts.push_back(
+            text(counted(unsolved.count, "photo is", "photos are"),
+                 " left out, since the alignment found no pose that holds: ", unsolved.names,
+                 ". Look at what the alignment says of each, mend it, and align again."));
     }
     return made;
 }

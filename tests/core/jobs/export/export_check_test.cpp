@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_error.h"
 #include "photographed_survey.h"
 
+#include "spherewalk/base/text.h"
 #include "spherewalk/jobs/export_dataset.h"
+#include "spherewalk/jobs/import_photos.h"
 #include "spherewalk/render/dataset.h"
 #include "spherewalk/store/survey_store.h"
 
@@ -10,6 +13,8 @@
 
 namespace spherewalk::jobs {
 
+using test::expectError;
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -53,6 +58,32 @@ TEST_F(ExportCheckTest, SaysWhatTheDatasetWouldLack) {
     EXPECT_EQ(found.photos, 2U);
     EXPECT_THAT(found.doubts, Contains(HasSubstr("have no photo")));
     EXPECT_THAT(found.doubts, Contains(HasSubstr("1 photo was rejected")));
+}
+
+TEST_F(ExportCheckTest, SaysThatNobodyKnowsWherePhotosWereTaken) {
+    constexpr int kUnknown = 22;
+    std::filesystem::create_directories(survey / "more");
+    for (int i = 0; i < kUnknown; ++i) {
+        RgbImage picture(512, 256);
+        std::ranges::fill(picture.values(), static_cast<std::uint8_t>(60 + 8 * i));
+        writeFile(survey / "more" / text("M", i, ".JPG"), jpeg::encode(picture, 90));
+    }
+    auto store = survey.open(store::Access::Write);
+    importPhotos(store, {survey / "more", {}}, noProgress(), {});
+    const ExportCheck some = check(survey / "d");
+    EXPECT_EQ(some.photos, 3U);
+    EXPECT_TRUE(some.isPossible());
+    EXPECT_THAT(some.doubts, Contains(AllOf(HasSubstr("22 photos are left out, since nobody knows where"),
+                                            HasSubstr("M0.JPG"), HasSubstr(", ....")))); // not all by name
+    for (const store::PhotoRecord& photo : store.photos()) {
+        if (store.station(photo.station).isPlaceKnown) {
+            store.setReview({photo.id, store::Decision::Rejected, ""});
+        }
+    }
+    const ExportCheck none = check(survey / "d");
+    EXPECT_THAT(none.obstacles, ElementsAre(HasSubstr("nobody knows where they were taken")));
+    expectError(ErrorKind::InvalidInput, "Nothing can be exported. 22 photos are left out, since nobody",
+                [&] { exportDataset(store, survey / "d", {}, noProgress(), {}); });
 }
 
 TEST_F(ExportCheckTest, CountsWhatIsBlurredInThePhotosThatAreExported) {

@@ -69,12 +69,14 @@ struct SolutionFindings {
 /// What the active solution says; nothing if there is none. Errors: Corrupt if the solution's report is none.
 std::optional<SolutionFindings> activeFindings(const store::SurveyStore& store);
 
-/// The kept photos that a dataset gets: all but those that the active solution found no pose for.
+/// The kept photos that a dataset gets: all but those that the active solution found no pose for, and those
+/// that nobody knows the place of.
 struct PhotosToExport {
     std::vector<store::PhotoRecord> photos;
     std::vector<store::PhotoRecord> failed;
     double scaleSigma = 0;           ///< As SolutionFindings::scaleSigma.
     std::vector<std::string> doubts; ///< Sentences: what is wrong with all places, and which photos failed.
+                                     ///< The last one names photos that failed, if there are any.
 };
 
 /// Errors: those of activeFindings().
