@@ -2214,8 +2214,8 @@
         <translation>Am meisten gekippt ist %1: um %2 Grad.</translation>
     </message>
     <message>
-        <source>If the camera stood level, look at the positions of these photos.</source>
-        <translation>Wenn die Kamera gerade stand, sehen Sie sich die Positionen dieser Fotos an.</translation>
+        <source>If the camera stood level, look at these photos, and at their positions.</source>
+        <translation>Wenn die Kamera gerade stand, sehen Sie sich diese Fotos und ihre Positionen an.</translation>
     </message>
     <message>
         <source>Half a turn about the line to its neighbours explains what it shows about as well.</source>
@@ -2350,7 +2350,7 @@
         <translation>Messen Sie eine gedruckte Marke mit einem Lineal, dann die Maßbänder.</translation>
     </message>
     <message>
-        <source>Perhaps a tag was moved between the surveys, or their --tag-size differs.</source>
+        <source>Perhaps a tag was moved between the surveys, or the size of their tags was given differently.</source>
         <translation>Vielleicht wurde zwischen den Projekten eine Marke umgehängt, oder ihre Größe ist verschieden angegeben.</translation>
     </message>
     <message>
@@ -2366,16 +2366,16 @@
         <translation>Der Maßstab ist nicht bekannt: Die Fotos zeigen zu wenig vom Boden unter ihnen, und es wurde kein Abstand angegeben.</translation>
     </message>
     <message>
-        <source>Give --distance with two photos and the metres between them.</source>
-        <translation>Geben Sie --distance mit zwei Fotos und den Metern dazwischen an.</translation>
+        <source>Give the distance between two photos.</source>
+        <translation>Geben Sie den Abstand zweier Fotos an.</translation>
     </message>
     <message>
         <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be wrong by a quarter and more.</source>
         <translation>Niemand hat gesagt, wie hoch das Objektiv über dem Boden steht: %1 m sind geraten, und alle Längen können um ein Viertel und mehr falsch sein.</translation>
     </message>
     <message>
-        <source>Give --lens-height, or --distance with two photos and the metres between them.</source>
-        <translation>Geben Sie --lens-height an, oder --distance mit zwei Fotos und den Metern dazwischen.</translation>
+        <source>Give the height of the lens, or the distance between two photos.</source>
+        <translation>Geben Sie die Höhe des Objektivs an, oder den Abstand zweier Fotos.</translation>
     </message>
     <message>
         <source>All lengths are known to %1 % alone (one standard deviation): align the survey with a known height of the lens, or a known distance, and export again.</source>

@@ -2224,8 +2224,8 @@
         <translation>Najbardziej przechylone jest %1: o %2 stopnia.</translation>
     </message>
     <message>
-        <source>If the camera stood level, look at the positions of these photos.</source>
-        <translation>Jeśli aparat stał prosto, sprawdź położenia tych zdjęć.</translation>
+        <source>If the camera stood level, look at these photos, and at their positions.</source>
+        <translation>Jeśli aparat stał prosto, sprawdź te zdjęcia i ich położenia.</translation>
     </message>
     <message>
         <source>Half a turn about the line to its neighbours explains what it shows about as well.</source>
@@ -2360,7 +2360,7 @@
         <translation>Zmierz wydrukowany znacznik linijką, a potem taśmy miernicze.</translation>
     </message>
     <message>
-        <source>Perhaps a tag was moved between the surveys, or their --tag-size differs.</source>
+        <source>Perhaps a tag was moved between the surveys, or the size of their tags was given differently.</source>
         <translation>Być może między pomiarami przewieszono znacznik albo podano różne rozmiary znaczników.</translation>
     </message>
     <message>
@@ -2376,16 +2376,16 @@
         <translation>Skala nie jest znana: zdjęcia pokazują zbyt mało podłogi pod nimi i nie podano żadnej odległości.</translation>
     </message>
     <message>
-        <source>Give --distance with two photos and the metres between them.</source>
-        <translation>Podaj --distance z dwoma zdjęciami i odległością między nimi w metrach.</translation>
+        <source>Give the distance between two photos.</source>
+        <translation>Podaj odległość między dwoma zdjęciami.</translation>
     </message>
     <message>
         <source>Nobody said how high the lens stands over the floor: %1 m is a guess, and all lengths may be wrong by a quarter and more.</source>
         <translation>Nikt nie podał, jak wysoko nad podłogą stoi obiektyw: %1 m to przypuszczenie, a wszystkie długości mogą być błędne o jedną czwartą i więcej.</translation>
     </message>
     <message>
-        <source>Give --lens-height, or --distance with two photos and the metres between them.</source>
-        <translation>Podaj --lens-height albo --distance z dwoma zdjęciami i odległością między nimi w metrach.</translation>
+        <source>Give the height of the lens, or the distance between two photos.</source>
+        <translation>Podaj wysokość obiektywu albo odległość między dwoma zdjęciami.</translation>
     </message>
     <message>
         <source>All lengths are known to %1 % alone (one standard deviation): align the survey with a known height of the lens, or a known distance, and export again.</source>

@@ -128,11 +128,11 @@ Told AlignPresenter::summary() const {
     }
     sentences << tr("Model %1.").arg(QString::fromStdString(m_findings->solution.model))
               << coreWords(m_findings->reason);
-    Cure cure = Cure::None;
+    Cure cure = undecided > 0 ? Cure::Review : Cure::None;
     for (const std::string& warning : m_findings->warnings) {
         const Told told = coreTold(warning);
         sentences << told.text;
-        cure = cure == Cure::None ? told.cure : cure;
+        cure = cure == Cure::None && told.cure != Cure::Align ? told.cure : cure; // it is cured here
     }
     return {sentences.join(QLatin1Char(' ')).simplified(), cure};
 }

@@ -46,7 +46,7 @@ constexpr const char* kOfAlignments[] = {
                                                    "they state, or from upright if they state nothing."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Most leans %1: by %2 deg."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
-                      "If the camera stood level, look at the positions of these photos."),
+                      "If the camera stood level, look at these photos, and at their positions."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "Half a turn about the line to its neighbours explains what it shows about as well."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
@@ -109,15 +109,15 @@ constexpr const char* kOfAlignments[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Measure the printed tags and the distance again."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Measure the printed tags, and the height of the lens."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Measure a printed tag with a ruler, then the tapes."),
-    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
-                      "Perhaps a tag was moved between the surveys, or their --tag-size differs."),
+    QT_TRANSLATE_NOOP(
+        "spherewalk::ui::CoreWords",
+        "Perhaps a tag was moved between the surveys, or the size of their tags was given differently."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "AprilTag %1 hangs elsewhere than in the other survey, and was not used to join them."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Hang tags where nobody moves them."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "The scale is not known: the photos show too little of "
                                                    "the floor below them, and no distance was given."),
-    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
-                      "Give --distance with two photos and the metres between them."),
+    QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Give the distance between two photos."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords", "Nobody said how high the lens stands over the floor: %1 "
                                                    "m is a guess, and all lengths may be wrong by a "
                                                    "quarter and more."),
@@ -129,7 +129,7 @@ constexpr const char* kOfAlignments[] = {
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
                       "The world of a dataset with depth has walls as they stand."),
     QT_TRANSLATE_NOOP("spherewalk::ui::CoreWords",
-                      "Give --lens-height, or --distance with two photos and the metres between them."),
+                      "Give the height of the lens, or the distance between two photos."),
     QT_TRANSLATE_NOOP(
         "spherewalk::ui::CoreWords",
         "Where AprilTag %1 hangs is not known: 1 photo sees it (%2), but not from places far enough apart."),

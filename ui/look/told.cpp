@@ -106,7 +106,7 @@ constexpr CuredSentence kCured[] = {
     {"The heading of %1 of %2 photos is not known; they are exported as if each looked along the room's x "
      "axis.",
      Cure::Align},
-    {"Give --lens-height, or --distance with two photos and the metres between them.", Cure::Align},
+    {"Give the height of the lens, or the distance between two photos.", Cure::Align},
     {"%1 photos have no known heading: they would be exported as if they looked along the room's x axis; "
      "align again, or reject them.",
      Cure::Align},

@@ -211,7 +211,8 @@ void tellJoinedScale(const TagJoin& join, const Scale& printed, FreePlaces& made
         made.warnings.push_back(
             text("By the printed size of the tags, lengths in the other survey's frame are ",
                  fixed(100 * std::abs(ratio - 1), 1), " % too ", ratio > 1 ? "long" : "short",
-                 ". Perhaps a tag was moved between the surveys, or their --tag-size differs."));
+                 ". Perhaps a tag was moved between the surveys, or the size of their tags was given "
+                 "differently."));
     }
 }
 
@@ -257,12 +258,12 @@ void placeInRoom(Part& part, const FreeOptions& options, FreePlaces& made) {
     if (made.scaleBy == ScaleBy::Nothing) {
         made.warnings.push_back(
             "The scale is not known: the photos show too little of the floor below them, and no distance was "
-            "given. Give --distance with two photos and the metres between them.");
+            "given. Give the distance between two photos.");
     } else if (made.scaleBy == ScaleBy::Guess) {
         made.warnings.push_back(
             text("Nobody said how high the lens stands over the floor: ", fixed(options.lensHeightM, 2),
-                 " m is a guess, and all lengths may be wrong by a quarter and more. Give --lens-height, or "
-                 "--distance with two photos and the metres between them."));
+                 " m is a guess, and all lengths may be wrong by a quarter and more. Give the height of the "
+                 "lens, or the distance between two photos."));
     }
 }
 

@@ -65,7 +65,7 @@ std::vector<std::string> leanWarnings(const Alignment& alignment, const Componen
                  "state nothing. Most leans ",
                  printable(input.priors[static_cast<std::size_t>(worst)].name, 40), ": by ",
                  fixed(Degrees(Radians(leanOfPhoto(worst))).value(), 1),
-                 " deg. If the camera stood level, look at the positions of these photos."));
+                 " deg. If the camera stood level, look at these photos, and at their positions."));
     }
     return said;
 }
