@@ -42,8 +42,9 @@ PlanView::PlanView(QWidget* parent) : PlanCanvas(parent) {
     });
 }
 
-void PlanView::setRoom(const survey::Room& room) {
+void PlanView::setRoom(const survey::Room& room, Qt::PenStyle walls) {
     m_room = room;
+    m_walls = walls;
     showAll();
 }
 
@@ -127,7 +128,7 @@ void PlanView::paintFloor(QPainter& painter, const QTransform& widgetFromRoom) {
         return;
     }
     if (!m_room.outline.empty()) {
-        paintRoom(painter, m_room, palette().color(QPalette::Base), widgetFromRoom);
+        paintRoom(painter, m_room, palette().color(QPalette::Base), widgetFromRoom, m_walls);
         paintNames(painter, m_room, widgetFromRoom);
     }
     for (const StationMark& mark : m_stations) {
@@ -236,7 +237,11 @@ void SurveyPlanView::setSession(SurveySession* session) {
 }
 
 void SurveyPlanView::showRoom() {
-    setRoom(m_session ? m_session->state().room : survey::Room());
+    if (m_session) {
+        setRoom(m_session->state().room, m_session->state().isRoomSolved() ? Qt::DashLine : Qt::SolidLine);
+    } else {
+        setRoom({});
+    }
     fit();
 }
 

@@ -34,9 +34,12 @@ class PlanView : public PlanCanvas {
   public:
     explicit PlanView(QWidget* parent = nullptr);
 
-    void setRoom(const survey::Room& room);
+    /// walls: dashed lines for a room that nobody has drawn.
+    void setRoom(const survey::Room& room, Qt::PenStyle walls = Qt::SolidLine);
 
     const survey::Room& room() const { return m_room; }
+
+    Qt::PenStyle walls() const { return m_walls; }
 
     void setStations(std::vector<StationMark> stations);
 
@@ -70,6 +73,7 @@ class PlanView : public PlanCanvas {
     void paintMark(QPainter& painter, const StationMark& mark, const QPointF& at) const;
 
     survey::Room m_room;
+    Qt::PenStyle m_walls = Qt::SolidLine;
     std::vector<StationMark> m_stations;
     std::optional<std::int64_t> m_current;
     double m_spacingM = 0; ///< Distance between neighbouring stations.

@@ -50,6 +50,9 @@ struct SurveyState {
 
     /// Whether photos were taken by hand: there are some, and no rails.
     bool isByHand() const { return plan.placements.empty() && counts.photos > 0; }
+
+    /// Whether nobody has drawn the room: it is a rectangle around what photos by hand show.
+    bool isRoomSolved() const { return isByHand() && roomOrigin == store::RoomOrigin::Solved; }
 };
 
 /// Reads the state from the database. Errors: those of the store.

@@ -4,6 +4,7 @@
 #include "photographed_survey.h"
 #include "qt_application.h"
 #include "temporary_folder.h"
+#include "ui/map/plan_view.h"
 #include "ui/plan/plan_storage.h"
 
 #include <QLineEdit>
@@ -168,12 +169,22 @@ TEST_F(PlanStorageTest, ARoomThatNobodyDrewBeginsAsARectangleAroundThePhotos) {
     }
     storage.flush();
     EXPECT_TRUE(session->store().knownRoom().outline.empty()) << "nobody has edited it";
+    session->write(SurveySession::Plan, [&](store::SurveyStore& store) { // as Align does
+        store.replaceRoom(editor.draft().room, store::RoomOrigin::Solved);
+    });
+    SurveyPlanView plan;
+    plan.setSession(session.get());
+    EXPECT_EQ(plan.walls(), Qt::DashLine) << "nobody has drawn it";
+    session->write(SurveySession::Plan, [&](store::SurveyStore& store) {
+        store.replaceRoom(survey::unknownRoom(), store::RoomOrigin::Solved);
+    });
     Polygon drawn = editor.draft().room.outline;
     drawn[2] += Eigen::Vector2d(0.5, 0);
     editor.setOutline(drawn);
     storage.flush();
     EXPECT_TRUE(editor.draft().isRoomKnown);
     EXPECT_EQ(session->store().knownRoom().outline, drawn);
+    EXPECT_EQ(plan.walls(), Qt::SolidLine);
     editor.undoStack()->undo();
     storage.flush();
     EXPECT_FALSE(editor.draft().isRoomKnown);
