@@ -66,7 +66,7 @@ constexpr int kNoReason = -1;
 /// Per cell the reason why it is not covered, or kNoReason.
 std::vector<int> reasons(const Floor& floor, const FloorRaster& raster, const PlanOptions& options,
                          const Plan& plan) {
-    const double reachM = options.stepM * std::sqrt(0.5) + kMicrometre;
+    const double reachM = coveringReachM(options.stepM) + kMicrometre;
     const StandingPoints stations(plan, floor, reachM);
     const std::vector<bool> enclosed = enclosedCells(floor, raster, options.stepM);
     std::vector<int> result(static_cast<std::size_t>(raster.cells()), kNoReason);

@@ -154,10 +154,9 @@ report::Table borderTable(const MeasureReport& report) {
 }
 
 std::string borderWords(const MeasureReport& report) {
-    return text(
-        "At ", report.borders.front().borders,
-        " borders, half way between two photos, what a view from the one shows beside a view from the "
-        "other. A stream with depth spreads that over some centimetres of the way.");
+    return text("At ", counted(report.borders.front().borders, "border", "borders"),
+                ", half way between two photos, what a view from the one shows beside a view from the "
+                "other. A stream with depth spreads that over some centimetres of the way.");
 }
 
 report::Table rungTable(const MeasureReport& report) {
@@ -249,8 +248,9 @@ std::string coverageWords(const render::DatasetInfo& info) {
     options.stepM = info.stepM;
     const survey::Room room{info.outline, info.obstacles, info.ceilingM};
     const survey::PlanReport report = survey::report(room, options, plan);
-    return text(info.photos.size(), " photos cover ", fixed(report.floorM2 - report.uncoveredM2, 2), " of ",
-                fixed(report.floorM2, 2), " m2 of floor at a step of ", fixed(100 * info.stepM, 0), " cm.");
+    return text(fixed(report.floorM2 - report.uncoveredM2, 2), " of ", fixed(report.floorM2, 2),
+                " m2 of floor lie within ", fixed(100 * survey::coveringReachM(info.stepM), 0),
+                " cm of one of ", counted(info.photos.size(), "photo", "photos"), ", and in its sight.");
 }
 
 const SceneLikeness& likenessOf(const MeasureReport& report, render::SceneKind scene) {

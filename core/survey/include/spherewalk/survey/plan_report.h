@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ struct PlanReport {
     double uncoveredM2 = 0;
     std::vector<UncoveredArea> uncovered; ///< The areas, largest first; their sum is uncoveredM2.
 };
+
+/// How near a station of such a grid must be to cover a point: half the diagonal of a cell.
+inline double coveringReachM(double stepM) {
+    return stepM * std::numbers::sqrt2 / 2;
+}
 
 /// Errors: those of both validate(). The plan may also hold stations that came with imported photos.
 PlanReport report(const Room& room, const PlanOptions& options, const Plan& plan);
