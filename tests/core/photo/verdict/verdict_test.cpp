@@ -283,6 +283,47 @@ TEST_F(VerdictsOf, APhotoOfAnotherPlaceLooksLikeNoneOfItsNeighbours) {
     EXPECT_EQ(std::ranges::count(verdict.findings, Flaw::Elsewhere, &Finding::flaw), 1) << verdict.sentence();
 }
 
+namespace {
+
+/// Patches of any brightness, and those of a second sketch upside down with this weight.
+Sketch patches(Random& random, const Sketch* other = nullptr, double weight = 0) {
+    constexpr int kPatch = 6;
+    Sketch made;
+    made.width = kWidth;
+    made.height = kWidth / 2;
+    made.picture = RgbImage(kSketchWidth, kSketchHeight);
+    for (int top = 0; top < kSketchHeight; top += kPatch) {
+        for (int left = 0; left < kSketchWidth; left += kPatch) {
+            const double own = random.uniform(60, 190);
+            for (int y = top; y < std::min(top + kPatch, kSketchHeight); ++y) {
+                for (int x = left; x < std::min(left + kPatch, kSketchWidth); ++x) {
+                    const double theirs =
+                        other != nullptr ? *other->picture.at(kSketchWidth - 1 - x, kSketchHeight - 1 - y)
+                                         : own;
+                    std::fill_n(made.picture.at(x, y), 3,
+                                static_cast<std::uint8_t>(weight * theirs + (1 - weight) * own));
+                }
+            }
+        }
+    }
+    return made;
+}
+
+} // namespace
+
+// Real photos of other rooms are like each other upside down with up to 0.5.
+TEST(Verdict, CallsNoPhotoUpsideDownThatLooksLittleLikeItsNeighboursEitherWay) {
+    Random random(5);
+    const Sketch photo = patches(random);
+    for (const auto& [weight, isTold] : {std::pair{0.3, false}, std::pair{0.7, true}}) {
+        const Sketch before = patches(random, &photo, weight);
+        const Sketch after = patches(random, &photo, weight);
+        const std::vector<Neighbour> neighbours{{&before, 0.6, "before.JPG"}, {&after, 0.6, "after.JPG"}};
+        const std::string sentence = judge(photo, {}, {}, neighbours).sentence();
+        EXPECT_EQ(sentence.find("upside down against") != std::string::npos, isTold) << weight << sentence;
+    }
+}
+
 // 72 cm apart, photos beside furniture may look like other rooms, or like rooms upside down.
 TEST(Verdict, CallsNoPhotoOfAFlatWrongBesideFurniture) {
     Random random(3);
