@@ -139,6 +139,7 @@ void addWhatItSays(Findings& findings, const Sketch& photo, const PhotoMetadata&
 }
 
 constexpr double kAlike = 0.3; ///< correlation of photos that show the same room from places near each other
+constexpr double kAlikeByChance = 0.5; ///< Photos of other rooms reach it, at some turn or upside down.
 /// Beside furniture, photos farther apart may look like different rooms.
 constexpr double kLookingAlikeM = 0.5;
 
@@ -315,12 +316,16 @@ void addLight(Findings& findings, const Sketch& photo, const ExpectedSettings& e
     const Others telling = forLight(others);
     addBrightness(findings, photo, expected, telling);
     addColour(findings, expected, telling);
+    std::vector<MatchedSketch> alike = others.near;
+    std::erase_if(alike, [](const MatchedSketch& one) { // it may be of another room
+        return one.distanceM > kContentNeighbourhoodM && one.match.likeness < kAlikeByChance;
+    });
     addPart(
         findings, Flaw::Black, photo.blackPart,
-        [](const MatchedSketch& one) { return one.sketch->blackPart; }, others.near, 0,
+        [](const MatchedSketch& one) { return one.sketch->blackPart; }, alike, 0,
         " of it is black; check that nothing covers a lens.");
     // A neighbour that has lost its light hides what burns in it.
-    std::vector<MatchedSketch> lit = others.near;
+    std::vector<MatchedSketch> lit = std::move(alike);
     std::erase_if(lit, [&](const MatchedSketch& one) {
         return one.sketch->brightness < kDark || unexplainedStops(photo, one) >= leastStops(expected);
     });
@@ -361,22 +366,17 @@ void addPlace(Findings& findings, const Sketch& photo, std::span<const MatchedSk
     if (neighbours.empty()) {
         return;
     }
-    // Photos of other rooms are like each other upside down by chance: by up to 0.5 in real homes and
-    // offices, and one in twenty such photos by 0.3 or more for the one before or after it.
-    constexpr double kAlikeUpsideDown = 0.5;
     constexpr double kClearly = 0.15;
     constexpr std::ptrdiff_t kWitnesses = 2; // One alone may look like anything.
     const auto isUpsideDown = [&](const MatchedSketch& one) {
-        return one.match.upsideDownLikeness > std::max(kAlikeUpsideDown, one.match.likeness + kClearly);
+        return one.match.upsideDownLikeness > std::max(kAlikeByChance, one.match.likeness + kClearly);
     };
     const auto witnesses = std::ranges::count_if(neighbours, isUpsideDown);
     // Beside furniture most neighbours look like nothing much: the one that is most alike counts, too.
-    const double best =
-        std::ranges::max(each(neighbours, [](const MatchedSketch& one) { return one.match.likeness; }));
-    const double bestUpsideDown = std::ranges::max(
-        each(neighbours, [](const MatchedSketch& one) { return one.match.upsideDownLikeness; }));
-    if (witnesses >= kWitnesses && 2 * witnesses > std::ssize(neighbours) &&
-        bestUpsideDown > best + kClearly) {
+    const auto bestOf = [&](const auto& value) { return std::ranges::max(each(neighbours, value)); };
+    const double best = bestOf([](const MatchedSketch& one) { return one.match.likeness; });
+    const double over = bestOf([](const MatchedSketch& one) { return one.match.upsideDownLikeness; });
+    if (witnesses >= kWitnesses && 2 * witnesses > std::ssize(neighbours) && over > best + kClearly) {
         findings.push_back(
             {Flaw::UpsideDown, survey::Quality::Failed,
              "It is upside down against its neighbours; put the camera upright and take it again."});

@@ -291,6 +291,7 @@ Sketch patches(Random& random, const Sketch* other = nullptr, double weight = 0)
     Sketch made;
     made.width = kWidth;
     made.height = kWidth / 2;
+    made.brightness = 125;
     made.picture = RgbImage(kSketchWidth, kSketchHeight);
     for (int top = 0; top < kSketchHeight; top += kPatch) {
         for (int left = 0; left < kSketchWidth; left += kPatch) {
@@ -321,6 +322,26 @@ TEST(Verdict, CallsNoPhotoUpsideDownThatLooksLittleLikeItsNeighboursEitherWay) {
         const std::vector<Neighbour> neighbours{{&before, 0.6, "before.JPG"}, {&after, 0.6, "after.JPG"}};
         const std::string sentence = judge(photo, {}, {}, neighbours).sentence();
         EXPECT_EQ(sentence.find("upside down against") != std::string::npos, isTold) << weight << sentence;
+    }
+}
+
+// A black curtain, or a window, in a room that the photos before and after do not show.
+TEST(Verdict, AsksNoPhotosOfOtherRoomsHowMuchIsBlackOrBurnt) {
+    Random random(6);
+    Sketch photo = patches(random);
+    photo.blackPart = 0.03;
+    photo.burntPart = 0.08;
+    const Sketch before = patches(random);
+    const Sketch after = patches(random);
+    for (const auto& [distanceM, flaws] : {std::pair{0.6, 0}, std::pair{0.25, 2}}) {
+        const std::vector<Neighbour> others{{&before, distanceM, "b.JPG"}, {&after, distanceM, "a.JPG"}};
+        const Verdict verdict = judge(photo, {}, {}, others);
+        EXPECT_EQ(std::ranges::count_if(verdict.findings,
+                                        [](const Finding& finding) {
+                                            return finding.flaw == Flaw::Black || finding.flaw == Flaw::Burnt;
+                                        }),
+                  flaws)
+            << distanceM << verdict.sentence();
     }
 }
 
