@@ -103,25 +103,33 @@ std::vector<std::int64_t> stationsToRetake(const store::SurveyStore& store, cons
     return ids;
 }
 
+/// What is still to be done: with the stations, or with the places of photos by hand.
+std::string leftWords(const jobs::CaptureSurveyReport& report) {
+    if (!report.places) {
+        return text(report.remaining, " of ", report.stations, " stations are still without a photo.");
+    }
+    return text(report.places->sentence(), report.places->placed.empty()
+                                               ? ""
+                                               : " align --positions free solves all of them in earnest.");
+}
+
 Result resultOf(const jobs::CaptureSurveyReport& report, const store::SurveyStore& store) {
     const int undecided = store.counts().unclearShots;
     const std::string notCompared =
         jobs::notComparedText(report.taken, report.notCompared, report.contentNotCompared);
-    return {
-        jobs::toJson(report),
-        text("Took ", report.taken, " photos in ",
-             humanDuration(std::chrono::duration<double>(report.seconds)), report.places ? ". " : "; ",
-             report.places
-                 ? report.places->sentence() + " align --positions free solves all of them in earnest."
-                 : text(report.remaining, " of ", report.stations, " stations are still without a photo."),
-             report.flawed.empty()
-                 ? ""
-                 : text(" ", report.flawed.size(), " photos are not good; review lists them."),
-             undecided == 0 ? ""
-                            : text(" ", counted(undecided, "shot needs", "shots need"),
-                                   " a person's decision; shots lists what can be done."),
-             notCompared.empty() ? "" : "\n", notCompared),
-        report.missed.empty()};
+    return {jobs::toJson(report),
+            text("Took ", counted(report.taken, "photo", "photos"), " in ",
+                 humanDuration(std::chrono::duration<double>(report.seconds)), report.places ? ". " : "; ",
+                 leftWords(report),
+                 report.flawed.empty()
+                     ? ""
+                     : text(" ", counted(report.flawed.size(), "photo is not good; review lists it.",
+                                         "photos are not good; review lists them.")),
+                 undecided == 0 ? ""
+                                : text(" ", counted(undecided, "shot needs", "shots need"),
+                                       " a person's decision; shots lists what can be done."),
+                 notCompared.empty() ? "" : "\n", notCompared),
+            report.missed.empty()};
 }
 
 /// A robot sends positions on standard input and is answered on standard output, a line each.

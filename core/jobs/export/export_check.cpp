@@ -62,7 +62,7 @@ class Look {
         if (m_photos.empty()) {
             m_check.obstacles.push_back(
                 m_exported.failed.empty() ? "No photo is left to export; capture some first, or accept some."
-                                          : m_exported.doubts.back());
+                                          : m_exported.allDoubts());
             return;
         }
         std::vector<store::PhotoRecord> bySize = m_photos;

@@ -344,7 +344,7 @@ ExportReport exportDataset(const store::SurveyStore& store, const std::filesyste
         progress.warning(doubt);
     }
     if (exported.photos.empty() && !exported.failed.empty()) {
-        throw Error(ErrorKind::InvalidInput, text("Nothing can be exported. ", exported.doubts.back()));
+        throw Error(ErrorKind::InvalidInput, text("Nothing can be exported. ", exported.allDoubts()));
     }
     const std::vector<store::PhotoRecord> photos = withoutTests(exported.photos, options.testEvery);
     report.tests = static_cast<int>(countTests(exported.photos.size(), options.testEvery));

@@ -253,6 +253,14 @@ PhotosToExport photosToExport(const store::SurveyStore& store) {
     return made;
 }
 
+std::string PhotosToExport::allDoubts() const {
+    std::string all;
+    for (const std::string& doubt : doubts) {
+        all += (all.empty() ? "" : " ") + doubt;
+    }
+    return all;
+}
+
 std::string placesInDoubt(const store::SurveyStore& store) {
     constexpr double kTagSigmas = 4; // Of a length in two dimensions: one in 3000 is farther off by chance.
     const std::optional<SolutionFindings> findings = activeFindings(store);

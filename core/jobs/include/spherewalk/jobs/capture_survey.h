@@ -33,7 +33,9 @@ struct PlacesFound {
     int photos = 0;                    ///< All that were looked at.
     std::vector<std::int64_t> placed;  ///< Stations whose photos are placed against each other.
     std::vector<std::string> unplaced; ///< Names of the others' stations.
-    std::string trouble = {}; ///< A sentence if the look has failed; the rest is then of the one before.
+    /// Sentences that say why nothing is placed, or why the look has failed; the rest is then of the one
+    /// before.
+    std::string trouble = {};
 
     /// A sentence for the operator.
     std::string sentence() const;

@@ -76,7 +76,9 @@ struct PhotosToExport {
     std::vector<store::PhotoRecord> failed;
     double scaleSigma = 0;           ///< As SolutionFindings::scaleSigma.
     std::vector<std::string> doubts; ///< Sentences: what is wrong with all places, and which photos failed.
-                                     ///< The last one names photos that failed, if there are any.
+
+    /// All doubts one after the other. Where photos failed, they say why.
+    std::string allDoubts() const;
 };
 
 /// Errors: those of activeFindings().
