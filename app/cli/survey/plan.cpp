@@ -50,7 +50,7 @@ std::string reasonLine(const survey::PlanReport& report, survey::UncoveredReason
 std::string planText(const survey::PlanReport& report, const survey::PlanOptions& options,
                      std::ptrdiff_t unknownPlaces = 0) {
     if (report.placements == 0) {
-        return text(counted(static_cast<std::size_t>(report.stations), "place", "places"), ", on no rail",
+        return text(counted(report.stations, "place", "places"), ", on no rail",
                     unknownPlaces > 0 ? text("; ", counted(unknownPlaces, "is", "are"), " not known for sure")
                                       : "",
                     ". ",

@@ -48,9 +48,10 @@ Result status(const std::string& survey) {
     const auto store = store::SurveyStore::open(survey, store::Access::Read);
     const store::Counts counts = store.counts();
     const auto solution = jobs::activeFindings(store);
+    const auto aligned = solution ? std::optional<SolvedCounts>(*solution) : std::nullopt;
     const auto missing = store.stationsWithoutPhoto();
     std::string words = text(store.info().name, ": ", counts.stationsWithPhoto, " of ", counts.stations,
-                             " stations have a photo (", counts.photos, " photos).");
+                             " stations have a photo (", counted(counts.photos, "photo", "photos"), ").");
     words += missing.empty() ? "" : text("\nNext: ", missing.front().name, ".");
     words += counts.rejectedPhotos == 0 ? ""
                                         : text("\n",
@@ -81,7 +82,7 @@ Result status(const std::string& survey) {
         unclear.push_back({{"station", name}, {"note", shot.note}});
     }
     words += solution ? text("\nRotations: ", solution->solution.source, " (", solution->solution.model,
-                             "): ", SolvedCounts(*solution).words, ".")
+                             "): ", aligned->words, ".")
                       : "\nRotations: none yet.";
     const std::string profile = survey::profileText(store.captureProfile());
     words += text("\nThe camera is set: ", profile, ".");
@@ -97,7 +98,7 @@ Result status(const std::string& survey) {
              {"pictures_not_needed", notNeeded},
              {"unclear_shots", unclear},
              {"solution", solution ? Json(solution->solution.source) : Json()},
-             {"aligned", solution ? SolvedCounts(*solution).json : Json()}},
+             {"aligned", aligned ? aligned->json : Json()}},
             words};
 }
 
